@@ -247,7 +247,9 @@ static bool end(pov_reader *in, size_t index)
         in->conditions.count--;
         return go_to(in, index + 2);
     }
-    go_to(in, index + 1);
+    if (in->parentheses > c->parentheses)
+        return false;
+    in->top->at = index + 2;
     loop_turn(in, &hash);
     return true;
 }

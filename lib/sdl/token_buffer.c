@@ -23,10 +23,9 @@ bool token_buffer_add(token_buffer_list *list, token_buffer *b, const token *t)
     return VEC_PUSH(list->env, b, *t);
 }
 
-replay **token_buffer_replay(token_buffer_list *list, token_buffer *b, size_t index)
+replay **token_buffer_begin_replay(token_buffer_list *list, token_buffer *b, size_t index)
 {
-    if (!b->replays)
-        b->replays = env_alloc(list->env, b->count, sizeof *b->replays);
+    b->replays = env_alloc(list->env, b->count, sizeof *b->replays);
     return b->replays ? &b->replays[index] : NULL;
 }
 

@@ -35,8 +35,13 @@ typedef struct token_buffer_list {
 /* Empty, in use once. NULL: no memory. */
 token_buffer *token_buffer_create(token_buffer_list *list);
 bool token_buffer_add(token_buffer_list *list, token_buffer *b, const token *t);
+/* The first time for any token. */
+replay **token_buffer_begin_replay(token_buffer_list *list, token_buffer *b, size_t index);
 /* What is kept of the index-th token. NULL: no memory. */
-replay **token_buffer_replay(token_buffer_list *list, token_buffer *b, size_t index);
+static inline replay **token_buffer_replay(token_buffer_list *list, token_buffer *b, size_t index)
+{
+    return b->replays ? &b->replays[index] : token_buffer_begin_replay(list, b, index);
+}
 /* Memory that is freed with the buffer, zeroed. NULL: there is none. */
 void *token_buffer_keep(token_buffer_list *list, token_buffer *b, size_t bytes);
 void token_buffer_release(token_buffer_list *list, token_buffer *b);
