@@ -77,12 +77,18 @@ int directive_nesting(const token *word)
 
 void directive_step(pov_reader *in)
 {
+    frame *f = in->top;
+
     if (in->failed)
         return;
     in->last = in->token.at;
     in->tried_count = 0;
-    frame_fetch(in, &in->token);
-    state_look(in);
+    if (f->tokens && !f->has_saved && f->at < f->end)
+        in->token = f->tokens->items[f->at++];      /* as frame_fetch() would */
+    else
+        frame_fetch(in, &in->token);
+    if (in->token.kind == TOKEN_WORD || in->token.fault)
+        state_look(in);
 }
 
 static void fail_unknown(pov_reader *in, const place *hash)
