@@ -2,19 +2,11 @@
  *
  * The left side to the power n/2 is a size: of a point twice as far it is double. With e and n up to 2 that is a norm, which
  * is convex along a ray: Newton's method from outside comes to the first crossing without passing it, and the slope tells
- * a ray that misses. Stars, with e or n above 2, are searched by bounds of |x|, |y| and |z| over stretches of the ray. */
-#include "common/clip.h"
-#include "common/powers.h"
-#include "common/simd.h"
-
-typedef struct superellipsoid {
-    double e, n;
-    bool convex;
-    bool approx;                  /* are approximate sizes of use? Large powers multiply their errors */
-} superellipsoid;
+ * a ray that misses. Stars, with e or n above 2, are searched by bounds (common/superellipsoid_star.c). */
+#include "common/superellipsoid.h"
 
 /* Exponents below this make edges that no double tells from those of a box. */
-static const double SHARPEST = 0x1p-10, NEAR = 0x1p-30, FINE = 0x1p-50, APPROX = 0x1p-14, LAST = 0x1p-27;
+static const double SHARPEST = 0x1p-10, NEAR = 0x1p-30, LAST = 0x1p-27;
 
 static double exponent(const pov_host *host, pov_reader *in, double written)
 {
@@ -43,81 +35,12 @@ static bool bounds(const void *self, pov_box *out)
     return true;
 }
 
-/* ---- the size of a point ---- */
-
-/* A power within 2^-22 of it, and 2^-24 y, for x from 0 to 3 and y that makes no number below 2^-1000 of it. */
-COMMON_INLINE double approx_power(double x, double y)
-{
-    const uint64_t sqrt_half = 0x3fe6a09e667f3bcd, two = 0x4000000000000000;
-    const uint64_t above = (elementary_bits(x) + (two - sqrt_half)) >> 52;   /* the exponent + 1024 */
-    const double k = elementary_of_bits(above | 0x4330000000000000) - (0x1p52 + 1024.0);
-    const double m = elementary_of_bits(elementary_bits(x) - ((above - 1024) << 52)), s = (m - 1.0) / (m + 1.0), z = s * s;
-    const double log2 = k + s * (2.885390081777927 + z * (0.9617966939259757 + z * (0.5770780163555854 + z * 0.41219858311113244)));
-    const double all = y * log2, held = all > -1000.0 ? all : -1000.0, n = elementary_round(held), r = held - n;
-
-    return (1.0 + r * (0.6931471805599453 + r * (0.24022650695910072 + r * (0.05550410866482158 + r * (0.009618129107628477 +
-            r * (0.0013333558146428443 + r * 0.00015403530393381608)))))) * elementary_power_of_two(n);
-}
-
-COMMON_INLINE double power_of(double x, double y, bool approx) { return approx ? approx_power(x, y) : common_power(x, y); }
-
-/* (a^(2/e) + b^(2/e))^(e/2), and the share of a in the sum. */
-COMMON_INLINE double norm_of(double a, double b, double e, bool approx, double *share)
-{
-    const double most = a > b ? a : b, least = a > b ? b : a, ratio = most > 0.0 ? least / most : 0.0;
-    const double rest = ratio > 0x1p-1000 ? power_of(ratio, 2.0 / e, approx) : 0.0;
-
-    *share = (a >= b ? 1.0 : rest) / (1.0 + rest);
-    return rest > 0.0 ? most * power_of(1.0 + rest, 0.5 * e, approx) : most;
-}
-
-static double size_at(const superellipsoid *s, pov_vec3 p)
-{
-    double share;
-
-    return norm_of(norm_of(fabs(p.x), fabs(p.y), s->e, false, &share), fabs(p.z), s->n, false, &share);
-}
-
-/* How a norm grows with one of its numbers: the share of it, over its part of the whole. */
-COMMON_INLINE double growth(double share, double whole, double x) { return x != 0.0 ? share * whole / x : 0.0; }
-
-COMMON_INLINE double size_and_slope(const superellipsoid *s, pov_vec3 p, bool approx, pov_vec3 *slope)
-{
-    double of_x, of_ring;
-    const double ring = norm_of(fabs(p.x), fabs(p.y), s->e, approx, &of_x);
-    const double size = norm_of(ring, fabs(p.z), s->n, approx, &of_ring), by_ring = growth(of_ring, size, ring);
-
-    slope->x = by_ring * growth(of_x, ring, p.x);
-    slope->y = by_ring * growth(1.0 - of_x, ring, p.y);
-    slope->z = growth(1.0 - of_ring, size, p.z);
-    return size;
-}
-
 static bool inside(const void *self, pov_vec3 point, pov_vec3 point_lo)
 {
     return size_at(self, pov_add(point, point_lo)) <= 1.0;
 }
 
 /* ---- along a ray ---- */
-
-typedef struct line {
-    const superellipsoid *s;
-    pov_vec3 o, d;
-    double base;
-    common_span span;            /* from the base */
-} line;
-
-COMMON_INLINE double value_along(const line *n, double t, bool approx, double *slope)
-{
-    pov_vec3 by;
-    const double size = size_and_slope(n->s, pov_add(n->o, pov_scale(n->d, t)), approx, &by);
-
-    *slope = pov_dot(by, n->d);
-    return size - 1.0;
-}
-
-static double size_along(const line *n, double t, double *slope) { return value_along(n, t, false, slope); }
-static double approx_along(const line *n, double t, double *slope) { return value_along(n, t, true, slope); }
 
 /* Approximate values come near the root: a start for exact ones. False: there is none, beyond what those may be off. */
 static bool come_near(const line *n, double sign, double *start)
@@ -167,14 +90,6 @@ static bool approach(const line *n, double start, double sign, double *root, dou
     }
     *root = t;
     return true;
-}
-
-static bool report(const line *n, const common_ray *k, double t, pov_hits *hits)
-{
-    const pov_two at = pov_two_sum(n->base, t);
-    const pov_mark mark = { 0, 0, 0.0, 0.0 };
-
-    return pov_cross(hits, at.hi * k->unit, at.lo * k->unit, mark);
 }
 
 static bool goes_in(const line *n, const pov_ray *ray)
@@ -228,153 +143,6 @@ static void cross_convex(const line *n, const common_ray *k, const pov_ray *ray,
         report(n, k, out, hits);
 }
 
-/* ---- stars ---- */
-
-static inline double smaller(double a, double b) { return a < b ? a : b; }
-static inline double larger(double a, double b) { return a > b ? a : b; }
-static inline double least_of(double a, double b) { return (a < 0.0) != (b < 0.0) ? 0.0 : smaller(fabs(a), fabs(b)); }
-
-/* The turn at which a crossing between two points is about known. */
-enum { NARROW = 8 };
-
-/* About the size to the power 2 / n, of a point of the unit cube: that is above one where the size is. */
-COMMON_INLINE double approx_size(double e, double n, double x, double y, double z)
-{
-    return approx_power(approx_power(fabs(x), 2.0 / e) + approx_power(fabs(y), 2.0 / e), e / n) + approx_power(fabs(z), 2.0 / n);
-}
-
-static bool is_outside(const line *n, double t)
-{
-    const pov_vec3 p = pov_add(n->o, pov_scale(n->d, t));
-    const double approx = n->s->approx ? approx_size(n->s->e, n->s->n, p.x, p.y, p.z) : 1.0;
-
-    return fabs(approx - 1.0) > APPROX ? approx > 1.0 : size_at(n->s, p) > 1.0;
-}
-
-/* Of a stretch: what is nearest to the planes of its coordinates, what is farthest from them, and its middle; with approximate sizes, and
- * exact ones where these do not tell them from one. */
-enum { NEAREST, FARTHEST, MIDDLE, PLACES };
-typedef double place_lanes[PLACES + 1];
-typedef struct places { place_lanes x, y, z, approx, size, shares; bool exact; } places;
-
-COMMON_CLONES static void approx_sizes(double e, double n, places *restrict p)
-{
-    for (uint32_t i = 0; i < PLACES + 1; i++)
-        p->approx[i] = approx_size(e, n, p->x[i], p->y[i], p->z[i]);
-}
-
-/* size_at() of all. Shares are kept for the compiler, which else moves powers into branches and makes no vectors of them. */
-COMMON_CLONES static void exact_sizes(double e, double n, places *restrict p)
-{
-    for (uint32_t i = 0; i < PLACES + 1; i++) {
-        double of_x, of_ring;
-
-        p->size[i] = norm_of(norm_of(fabs(p->x[i]), fabs(p->y[i]), e, false, &of_x), fabs(p->z[i]), n, false, &of_ring);
-        p->shares[i] = of_x + of_ring;
-    }
-}
-
-static inline void put_axis(double *out, double a, double b, double middle)
-{
-    out[NEAREST] = least_of(a, b);
-    out[FARTHEST] = larger(fabs(a), fabs(b));
-    out[MIDDLE] = out[PLACES] = middle;
-}
-
-static void find_places(const line *n, double lo, double hi, places *out)
-{
-    const pov_vec3 a = pov_add(n->o, pov_scale(n->d, lo)), b = pov_add(n->o, pov_scale(n->d, hi));
-    const pov_vec3 m = pov_add(n->o, pov_scale(n->d, 0.5 * (lo + hi)));
-
-    put_axis(out->x, a.x, b.x, m.x);
-    put_axis(out->y, a.y, b.y, m.y);
-    put_axis(out->z, a.z, b.z, m.z);
-    if (n->s->approx)
-        approx_sizes(n->s->e, n->s->n, out);
-    for (uint32_t i = 0; !n->s->approx && i < PLACES; i++)
-        out->approx[i] = 1.0;
-    out->exact = false;
-}
-
-static bool is_place_above(const line *n, places *p, uint32_t i, double level)
-{
-    if (fabs(p->approx[i] - 1.0) > APPROX)
-        return p->approx[i] > 1.0;
-    if (!p->exact)
-        exact_sizes(n->s->e, n->s->n, p);
-    p->exact = true;
-    return p->size[i] > level;
-}
-
-/* 1: certainly outside all along; -1: inside; 0: neither. */
-static int side_of(const line *n, places *p)
-{
-    return is_place_above(n, p, NEAREST, 1.0 + FINE) ? 1 : is_place_above(n, p, FARTHEST, 1.0 - FINE) ? 0 : -1;
-}
-
-/* Between points on different sides, a step of Newton's method from the middle and both sides of where it leads. */
-static void narrow(const line *n, double *lo, double *hi, bool is_out)
-{
-    const double middle = 0.5 * (*lo + *hi), near = 0x1p-20 * (*hi - *lo);
-    double slope, value = size_along(n, middle, &slope), root = middle - value / slope;
-
-    *((value > 0.0) == is_out ? lo : hi) = middle;
-    for (int i = 0; i < 2; i++) {
-        const double t = root + (i == 0 ? -near : near);
-
-        if (t > *lo && t < *hi)
-            *((size_along(n, t, &slope) > 0.0) == is_out ? lo : hi) = t;
-    }
-}
-
-/* A crossing between points on different sides. */
-static double bisect(const line *n, double lo, double hi, bool is_out)
-{
-    for (int turn = 0;; turn++) {
-        const double middle = 0.5 * (lo + hi);
-
-        if (!(middle > lo && middle < hi))
-            return middle;
-        if (turn >= NARROW)
-            narrow(n, &lo, &hi, is_out);
-        else
-            *(is_outside(n, middle) == is_out ? &lo : &hi) = middle;
-    }
-}
-
-/* Does any crossing do, so that it need not be known where it lies between two distances? */
-static bool is_any_between(const line *n, const common_ray *k, double lo, double hi, const pov_hits *hits)
-{
-    return hits->want == POV_WANT_ANY && (n->base + lo) * k->unit > hits->tmin && (n->base + hi) * k->unit < hits->tmax - hits->slack;
-}
-
-/* A stretch, and on which side its ends are. */
-typedef struct stretch { double lo, hi; bool out, still; } stretch;
-
-/* False: nothing more is wanted. */
-static bool search(const line *n, const common_ray *k, stretch s, int depth, pov_hits *hits)
-{
-    const double middle = 0.5 * (s.lo + s.hi);
-    stretch near = s, far = s;
-    places p;
-
-    find_places(n, s.lo, s.hi, &p);
-    if (side_of(n, &p) != 0)
-        return true;
-    if (depth == 0 || (s.out != s.still && depth < 16))
-        return s.out == s.still || report(n, k, is_any_between(n, k, s.lo, s.hi, hits) ? middle : bisect(n, s.lo, s.hi, s.out), hits);
-    near.hi = far.lo = middle;
-    near.still = far.out = is_place_above(n, &p, MIDDLE, 1.0);
-    return search(n, k, near, depth - 1, hits) && search(n, k, far, depth - 1, hits);
-}
-
-static void cross_star(const line *n, const common_ray *k, double from, pov_hits *hits)
-{
-    const stretch all = { from, n->span.hi, is_outside(n, from), is_outside(n, n->span.hi) };
-
-    search(n, k, all, 26, hits);
-}
-
 static const pov_vec3 zero = { 0.0, 0.0, 0.0 }, one = { 1.0, 1.0, 1.0 };
 
 /* False: the ray misses the box, or has no direction, so that it stays where it is for ever. */
@@ -403,7 +171,7 @@ static void intersect(const void *self, const pov_ray *ray, pov_hits *hits)
     if (n.s->convex)
         cross_convex(&n, &k, ray, from_here, hits);
     else
-        cross_star(&n, &k, from_here ? NEAR : n.span.lo, hits);
+        common_superellipsoid_star(&n, &k, from_here ? NEAR : n.span.lo, hits);
 }
 
 /* ---- several rays side by side ---- */
