@@ -77,14 +77,6 @@ void csg_find_chords(csg_tree *t)
 
 /* ---- members ---- */
 
-
-
-static bool no_more(pov_hits *hits)
-{
-    (void)hits;
-    return false;
-}
-
 /* Crossings at this distance and at that one: which is farther? Where that is open the answer does not matter. */
 static bool is_before(chord_search *s, double a, double b)
 {
@@ -206,7 +198,7 @@ static void find_exit(chord_search *s, chord *both)
 
 static void begin(chord_search *s, csg_traversal *w, const pov_hits *hits)
 {
-    const pov_hits found = { .tmax = HUGE_VAL, .want = POV_WANT_ALL, .at = s->at, .capacity = CROSSINGS, .grow = no_more,
+    const pov_hits found = { .tmax = HUGE_VAL, .want = POV_WANT_ALL, .at = s->at, .capacity = CROSSINGS, .grow = csg_no_more,
                              .user = hits->user, .scratch = hits->scratch };
 
     s->w = w;

@@ -62,16 +62,10 @@ typedef struct clip_search {
     pov_crossing at[CROSSINGS];
 } clip_search;
 
-static bool no_more(pov_hits *hits)
-{
-    (void)hits;
-    return false;
-}
-
 /* Crossings of a member between two distances, into `at`. */
 static uint32_t intersect(clip_search *s, const csg_member *m, const pov_ray *own, double from, double to, const pov_hits *hits)
 {
-    pov_hits found = { .tmin = from, .tmax = to, .want = POV_WANT_ALL, .at = s->at, .capacity = CROSSINGS, .grow = no_more,
+    pov_hits found = { .tmin = from, .tmax = to, .want = POV_WANT_ALL, .at = s->at, .capacity = CROSSINGS, .grow = csg_no_more,
                        .user = hits->user, .scratch = hits->scratch, .owner = s->w->scratch->names + m->leaf };
     class_counts *classes = s->w->scratch->classes;
 

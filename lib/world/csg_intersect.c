@@ -65,6 +65,12 @@ static const pov_crossing *owner_of(const csg_traversal *w, uint32_t first, uint
     return best ? best : other;
 }
 
+bool csg_no_more(pov_hits *hits)
+{
+    (void)hits;
+    return false;
+}
+
 bool csg_report(const pov_crossing *at, bool enters, pov_hits *hits)
 {
     const uint32_t owner = hits->owner;

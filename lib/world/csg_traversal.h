@@ -52,6 +52,8 @@ static inline const csg_member *csg_member_at(const csg_traversal *w, const pov_
 double csg_slope(const csg_traversal *w, const pov_crossing *at);
 /* Report a crossing of a member as one of the tree. False: nothing more is wanted. */
 bool csg_report(const pov_crossing *at, bool enters, pov_hits *hits);
+/* The grow function of crossings that have all the room they need. */
+bool csg_no_more(pov_hits *hits);
 /* The first crossing of a tree that has them, for hits that want no more. False: doubles were not sufficient; nothing is
  * reported. */
 bool csg_chords_first(csg_traversal *w, pov_hits *hits);
