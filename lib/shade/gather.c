@@ -269,13 +269,14 @@ static uint64_t set_of(const shade_context *c, const batch *b, uint32_t i)
     return b->paths[i].coincident ? 0 : c->samples[b->paths[i].lane].set;
 }
 
-/* Each ray of a set is drawn as often as makes twice the samples of one that is alone for all of them; where rays may find
- * what counts for none but themselves, at least half as often as one that is alone. The paths end by the weight of the
- * one that counts most. */
+/* Each ray of a set is drawn as often as makes twice the samples of one that is alone for all of them. Where rays may find what
+ * counts for none but themselves, those of a pixel's first sample, which may be its only one, are half as many as of one that
+ * is alone. The paths end by the weight of the one that counts most. */
 static void draw_alike(const shade_context *c, batch *b, uint32_t from, uint32_t to)
 {
     const uint32_t most = c->scene->model->radiosity.draws;
-    uint32_t draws = c->scene->even || most < 2 ? 1 : most / 2;
+    const bool many = !c->scene->even && c->samples[b->paths[from].lane].number == 0;
+    uint32_t draws = many && most > 1 ? most / 2 : 1;
     float weight = 0.0f;
 
     while (draws < most && draws * (to - from) < 2 * most)
