@@ -97,8 +97,8 @@ uint64_t packet_traverse(packet *p, bvh_traverse_fn *traverse, bool nearest)
 /* ---- grouping rays into packets ---- */
 
 /* Smaller groups of one octant are faster as single rays, and still smaller groups of any octants one after the
- * other. */
-enum { PACKET_LEAST = 8, INTERLEAVED_LEAST = 5 };
+ * other. Shadow rays mostly go to one place: fewer of them are worth a packet. */
+enum { PACKET_LEAST = 8, SHADOWS_LEAST = 5, INTERLEAVED_LEAST = 5 };
 
 /* Rays of one octant form a packet for a tree; a list takes all. Most packets are of one octant. */
 static void divide(const world *w, const pov_ray *const *rays, uint32_t n, uint64_t of[8])
@@ -129,16 +129,17 @@ uint32_t packet_divide(const world *w, const pov_ray *const *rays, uint32_t n, u
                        packet_group groups[PACKET_GROUPS])
 {
     const bvh_kernels *by = w->kernels;
+    const uint32_t least = nearest ? PACKET_LEAST : SHADOWS_LEAST;
     bvh_traverse_fn *const interleaved = nearest ? by->nearest_interleaved : by->any_interleaved;
     uint64_t of[8], rest = 0;
     uint32_t count = 0, octant;
 
-    if (n < PACKET_LEAST)
+    if (n < least)
         rest = which;
     else
         divide(w, rays, n, of);
-    for (octant = 0; n >= PACKET_LEAST && octant < 8; octant++)
-        if (are_at_least(of[octant] & which, PACKET_LEAST)) {
+    for (octant = 0; n >= least && octant < 8; octant++)
+        if (are_at_least(of[octant] & which, least)) {
             groups[count].lanes = of[octant] & which;
             groups[count++].traverse = nearest ? by->nearest_packet : by->any_packet;
         } else {
