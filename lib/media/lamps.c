@@ -267,12 +267,15 @@ colour media_scattered(const media_march *l, const media_light *in)
 
 static double size_of(colour c) { return fabs((double)c.r) + fabs((double)c.g) + fabs((double)c.b); }
 
-static double sum_of_sizes(const media_samples *s)
+/* The size of each and the sum of them. */
+static double find_sizes(const media_samples *s, double *size)
 {
     double sum = 0.0;
 
-    for (uint32_t i = 0; i < s->count; i++)
-        sum += size_of(s->value[i]);
+    for (uint32_t i = 0; i < s->count; i++) {
+        size[i] = size_of(s->value[i]);
+        sum += size[i];
+    }
     return sum;
 }
 
@@ -296,25 +299,26 @@ static void keep_all(media_samples *s)
     s->count = kept;
 }
 
-/* Of all samples choose `wanted` by what they give, one in each equal part of the whole; one that is chosen several times
- * is kept once. The sum's mean stays what it was. */
-static void keep_some(media_samples *s, double whole, uint32_t wanted, const media_random *random, uint32_t number)
+/* Of all samples choose `wanted` by what they give, at equal steps through the whole, the first after `first` of a step: how
+ * many of them see the light through gaps is then a matter of the gaps' widths alone. One that is chosen several times is
+ * kept once. The sum's mean stays what it was. */
+static void keep_some(media_samples *s, const double *size, double whole, uint32_t wanted, double first)
 {
     const double part = whole / (double)wanted;
-    double before = 0.0, next = media_number(random, number) * part;
+    double before = 0.0, next = first * part;
     uint32_t kept = 0, drawn = 0;
 
     for (uint32_t i = 0; i < s->count; i++) {
-        const double own = size_of(s->value[i]), end = before + own;
+        const double end = before + size[i];
         uint32_t times = 0;
 
         for (; drawn < wanted && next < end; times++) {
             drawn++;
-            next = ((double)drawn + media_number(random, number + drawn)) * part;
+            next = ((double)drawn + first) * part;
         }
         before = end;
         if (times > 0)
-            keep(s, i, kept++, (float)((double)times * part / own));
+            keep(s, i, kept++, (float)((double)times * part / size[i]));
     }
     s->count = kept;
 }
@@ -325,7 +329,7 @@ bool media_sample_light(const media_march *l, const light *from, const light_cla
     const light_origin origin = light_own_origin(from);
     const bool alike = scatters_alike(l->set);
     const media_random choice = { ~l->random.key, l->random.turn };
-    double lo = 0.0, hi = l->on.length, whole;
+    double lo = 0.0, hi = l->on.length, whole, size[LANES_MAX];
     light_points at;
     uint32_t wanted;
     places p;
@@ -340,10 +344,10 @@ bool media_sample_light(const media_march *l, const light *from, const light_cla
     at = (light_points){ &out->point, &out->point_lo, out->count };
     class->incident(from, &origin, &at, &out->in);
     find_values(l, from, &p, alike, out);
-    whole = sum_of_sizes(out);
+    whole = find_sizes(out, size);
     wanted = rays_for(l, whole / 3.0);
     if (wanted < out->count)
-        keep_some(out, whole, wanted, &choice, number * LANES_MAX);
+        keep_some(out, size, whole, wanted, media_number(&choice, number));
     else
         keep_all(out);
     return out->count > 0;

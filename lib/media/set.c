@@ -59,28 +59,37 @@ static void find_density(const model *m, const medium *of, const texture_points 
     }
 }
 
-static void add_channel(double *restrict loss, double *restrict emitted, double *restrict scatter, const double *restrict by,
-                        const double coefficients[3], uint32_t n)
-{
-    for (uint32_t i = 0; i < n; i++) {
-        loss[i] += by[i] * coefficients[0];
-        emitted[i] += by[i] * coefficients[1];
-        scatter[i] += by[i] * coefficients[2];
-    }
-}
+/* What one channel of light loses, is given, and what of it is scattered, by length. */
+typedef struct optics { double loss, emitted, scatter; } optics;
 
-static void add(media_optics *o, const medium *of, const density *d, bool lit, uint32_t n)
+/* Of one medium of density one. */
+static void find_optics(const medium *of, bool lit, optics out[3])
 {
     const float a[3] = { of->absorption.r, of->absorption.g, of->absorption.b };
     const float e[3] = { of->emission.r, of->emission.g, of->emission.b };
     const float s[3] = { of->scattering.r, of->scattering.g, of->scattering.b };
 
     for (int c = 0; c < 3; c++) {
-        const double coefficients[3] = { (double)a[c] + (double)of->extinction * (double)s[c], (double)e[c],
-                                         lit ? (double)s[c] : 0.0 };
-
-        add_channel(o->loss[c], o->emitted[c], o->scatter[c], d->by[c], coefficients, n);
+        out[c].loss = (double)a[c] + (double)of->extinction * (double)s[c];
+        out[c].emitted = (double)e[c];
+        out[c].scatter = lit ? (double)s[c] : 0.0;
     }
+}
+
+static void add_channel(double *restrict loss, double *restrict emitted, double *restrict scatter, const double *restrict by,
+                        optics one, uint32_t n)
+{
+    for (uint32_t i = 0; i < n; i++) {
+        loss[i] += by[i] * one.loss;
+        emitted[i] += by[i] * one.emitted;
+        scatter[i] += by[i] * one.scatter;
+    }
+}
+
+static void add(media_optics *o, const optics one[3], const density *d, uint32_t n)
+{
+    for (int c = 0; c < 3; c++)
+        add_channel(o->loss[c], o->emitted[c], o->scatter[c], d->by[c], one[c], n);
 }
 
 static void place(const media_segment *on, const double *at, uint32_t n, texture_points *out)
@@ -98,31 +107,51 @@ static void clear(media_optics *o, uint32_t n)
             o->loss[c][i] = o->emitted[c][i] = o->scatter[c][i] = 0.0;
 }
 
-/* All lanes are as the first one. */
-static void repeat(media_optics *o, uint32_t n)
+/* Where no density varies, n lanes are alike. */
+static void set_even(const model *m, const media_set *s, const light *by, uint32_t n, media_optics *out)
 {
+    optics sum[3] = { { 0.0, 0.0, 0.0 }, { 0.0, 0.0, 0.0 }, { 0.0, 0.0, 0.0 } }, one[3];
+
+    for (uint32_t i = 0; i < s->count; i++) {
+        const medium *of = s->of[i].medium;
+        double dense[3] = { 1.0, 1.0, 1.0 };
+
+        find_optics(of, is_lit(m, &s->of[i], by), one);
+        for (uint32_t k = 0; k < of->density_count; k++) {
+            dense[0] *= (double)of->densities[k]->most.color.r;
+            dense[1] *= (double)of->densities[k]->most.color.g;
+            dense[2] *= (double)of->densities[k]->most.color.b;
+        }
+        for (int c = 0; c < 3; c++) {
+            sum[c].loss += dense[c] * one[c].loss;
+            sum[c].emitted += dense[c] * one[c].emitted;
+            sum[c].scatter += dense[c] * one[c].scatter;
+        }
+    }
     for (int c = 0; c < 3; c++)
-        for (uint32_t i = 1; i < n; i++) {
-            o->loss[c][i] = o->loss[c][0];
-            o->emitted[c][i] = o->emitted[c][0];
-            o->scatter[c][i] = o->scatter[c][0];
+        for (uint32_t i = 0; i < n; i++) {
+            out->loss[c][i] = sum[c].loss;
+            out->emitted[c][i] = sum[c].emitted;
+            out->scatter[c][i] = sum[c].scatter;
         }
 }
 
 void media_set_at(const model *m, const media_set *s, const media_segment *on, const double *at, uint32_t n,
                   const light *by, media_optics *out)
 {
-    const uint32_t some = s->varies ? n : 1;
     texture_points points;
+    optics one[3];
     density d;
 
-    if (s->varies)
-        place(on, at, n, &points);
-    clear(out, some);
-    for (uint32_t i = 0; i < s->count; i++) {
-        find_density(m, s->of[i].medium, &points, some, &d);
-        add(out, s->of[i].medium, &d, is_lit(m, &s->of[i], by), some);
+    if (!s->varies) {
+        set_even(m, s, by, n, out);
+        return;
     }
-    if (!s->varies)
-        repeat(out, n);
+    place(on, at, n, &points);
+    clear(out, n);
+    for (uint32_t i = 0; i < s->count; i++) {
+        find_density(m, s->of[i].medium, &points, n, &d);
+        find_optics(s->of[i].medium, is_lit(m, &s->of[i], by), one);
+        add(out, one, &d, n);
+    }
 }
