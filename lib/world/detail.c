@@ -32,9 +32,9 @@ bool world_blended_normal(const world *w, const hit *h, pov_vec3 *out)
     if (!p.shape->shading_normals)
         return false;
     count = p.shape->shading_normals(p.ref.instance, p.point, p.point_lo, &h->crossing.mark, normal, share);
+    if (p.ref.xform && count > 0)
+        instance_rotate_normals(p.ref.xform, normal, count);
     for (i = 0; i < count; i++) {
-        if (p.ref.xform)
-            instance_world_normal(p.ref.xform, &normal[i]);
         copy_path_normal(&p.at, &normal[i]);
         sum = pov_add(sum, pov_scale(normal[i], share[i]));
     }

@@ -61,6 +61,8 @@ void instance_normal(const instance_xform *p, const shape_class *shape, const vo
 void instance_world_normal(const instance_xform *p, pov_vec3 *normal);
 /* The same n times, bit for bit. */
 void instance_world_normals(const instance_xform *const *p, pov_vec3 *const *normals, uint32_t n);
+/* Of up to four of one instance. */
+void instance_rotate_normals(const instance_xform *p, pov_vec3 *normals, uint32_t n);
 /* A point of the world in object space. */
 pov_two3 instance_point(const instance_xform *p, pov_vec3 point, pov_vec3 point_lo);
 bool instance_inside(const instance_xform *p, const shape_class *shape, const void *self, pov_vec3 point,

@@ -202,3 +202,51 @@ void instance_world_normals(const instance_xform *const *p, pov_vec3 *const *nor
     if (n > 0)
         instance_world_normal(p[0], normals[0]);
 }
+
+/* ---- normals of one instance ---- */
+
+typedef struct normal_lanes { double x[LANES], y[LANES], z[LANES]; } normal_lanes;
+
+SIMD_INLINE double rotate_by_row(pov_vec3 row, pov_vec3 row_lo, const normal_lanes *n, size_t lane)
+{
+    const pov_two a = pov_two_of(row.x, row_lo.x), b = pov_two_of(row.y, row_lo.y), c = pov_two_of(row.z, row_lo.z);
+    const pov_two ab = pov_two_add(pov_two_mul_double(a, n->x[lane]), pov_two_mul_double(b, n->y[lane]));
+
+    return pov_two_add(ab, pov_two_mul_double(c, n->z[lane])).hi;
+}
+
+SIMD_CLONES static void rotate_same(const instance_xform *restrict p, const normal_lanes *restrict from, unit_lanes *restrict out)
+{
+    const pov_vec3 x = p->column[0], y = p->column[1], z = p->column[2];
+    const pov_vec3 x_lo = p->column_lo[0], y_lo = p->column_lo[1], z_lo = p->column_lo[2];
+
+    for (size_t i = 0; i < LANES; i++) {
+        const pov_vec3 n = pov_vec3_of(rotate_by_row(x, x_lo, from, i), rotate_by_row(y, y_lo, from, i), rotate_by_row(z, z_lo, from, i));
+        const double square = pov_dot(n, n), length = sqrt(square);
+
+        out->normal[0][i] = n.x / length;
+        out->normal[1][i] = n.y / length;
+        out->normal[2][i] = n.z / length;
+        out->square[i] = square;
+    }
+}
+
+void instance_rotate_normals(const instance_xform *p, pov_vec3 *normals, uint32_t n)
+{
+    normal_lanes from;
+    unit_lanes out;
+
+    for (uint32_t i = 0; i < LANES; i++) {
+        const pov_vec3 of = normals[i < n ? i : 0];
+
+        from.x[i] = of.x;
+        from.y[i] = of.y;
+        from.z[i] = of.z;
+    }
+    rotate_same(p, &from, &out);
+    for (uint32_t i = 0; i < n; i++)
+        if (out.square[i] >= LEAST_SQUARE && out.square[i] <= MOST_SQUARE)
+            normals[i] = pov_vec3_of(out.normal[0][i], out.normal[1][i], out.normal[2][i]);
+        else
+            instance_world_normal(p, &normals[i]);
+}
