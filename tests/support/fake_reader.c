@@ -19,6 +19,8 @@ struct pov_reader {
     bool failed;
     int warnings;
     char message[256];
+    const uint16_t *heights;
+    uint32_t width, height;
 };
 
 /* ---- feeding ---- */
@@ -91,6 +93,13 @@ void fake_reader_text(pov_reader *in, const char *text)
             fake_reader_word(in, word);
         }
     }
+}
+
+void fake_reader_heights(pov_reader *in, const uint16_t *heights, uint32_t width, uint32_t height)
+{
+    in->heights = heights;
+    in->width = width;
+    in->height = height;
 }
 
 void fake_reader_print(const pov_reader *in, char *out, size_t size)
@@ -329,12 +338,14 @@ static const pov_hierarchy *host_hierarchy(pov_reader *in, const pov_box *boxes,
     return &all->service;
 }
 
-/* There are no images. */
+/* There is one image, if any. */
 static const uint16_t *host_heights(pov_reader *in, uint32_t *width, uint32_t *height)
 {
-    *width = *height = 0;
-    host_fail(in, "expected an image");
-    return NULL;
+    *width = in->width;
+    *height = in->height;
+    if (!in->heights)
+        host_fail(in, "expected an image");
+    return in->failed ? NULL : in->heights;
 }
 
 /* ---- instances ---- */

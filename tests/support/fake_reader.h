@@ -15,6 +15,9 @@ void fake_reader_word(pov_reader *in, const char *word);
 /* Numbers, words and punctuation as in a scene; anything else becomes a word that no parser expects. */
 void fake_reader_text(pov_reader *in, const char *text);
 
+/* What an image stands for, rows from the top; it must live as long as the reader. */
+void fake_reader_heights(pov_reader *in, const uint16_t *heights, uint32_t width, uint32_t height);
+
 /* The input as text that fake_reader_text() takes; cut off where it is longer. */
 void fake_reader_print(const pov_reader *in, char *out, size_t size);
 
