@@ -10,14 +10,19 @@ void common_triangle_enter(common_triangle_ray *r, const pov_ray *ray, pov_vec3 
                            bool always_exact)
 {
     const pov_vec3 zero = { 0.0, 0.0, 0.0 };
+
+    r->about = common_enter(ray, pov_two3_of(pov_scale(anchor, common_inverse(scale)), zero), scale);
+    common_triangle_look(r, ray, anchor, scale, always_exact);
+}
+
+void common_triangle_look(common_triangle_ray *r, const pov_ray *ray, pov_vec3 anchor, double scale, bool always_exact)
+{
     double along, speed, size;
     pov_vec3 w;
 
-    r->power = pov_inverse_power(pov_largest(ray->dir));
     r->anchor = anchor;
     r->org = pov_scale(ray->org, scale);
     r->org_lo = pov_scale(ray->org_lo, scale);
-    r->about = common_enter(ray, pov_two3_of(pov_scale(anchor, common_inverse(scale)), zero), scale);
     speed = pov_dot(r->about.d, r->about.d);
     along = -pov_dot(pov_two3_hi(r->about.f), r->about.d) / speed;
     size = pov_largest(pov_two3_hi(r->about.f));

@@ -13,11 +13,12 @@ typedef struct common_triangle_ray {
     common_view view;
     common_ray about;            /* the ray about the anchor */
     pov_vec3 anchor, org, org_lo;   /* scaled */
-    double power;                /* of the direction */
 } common_triangle_ray;
 
 void common_triangle_enter(common_triangle_ray *r, const pov_ray *ray, pov_vec3 anchor, double scale,
                            bool always_exact);
+/* The same where `about` is there already. */
+void common_triangle_look(common_triangle_ray *r, const pov_ray *ray, pov_vec3 anchor, double scale, bool always_exact);
 
 /* A corner as the ray sees it. */
 static inline common_seen common_triangle_see(common_triangle_ray *r, const pov_vec3 *corner)
