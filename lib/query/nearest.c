@@ -59,7 +59,8 @@ static void ask_open(packet *p, const leaf_batch *r, pairs *open, const xform_ba
             lower(p, lanes[i], open->hits[i]->tmax);
 }
 
-static void filter(packet *p, const leaf_batch *r, uint64_t lanes)
+/* Most leaves are one batch, and this is most of what is done with them. */
+SIMD_INLINE void filter(packet *p, const leaf_batch *r, uint64_t lanes)
 {
     const pov_candidate *m = p->candidates;
     uint32_t n = leaf_batch_filter(r, p->traversal.in, &p->traversal.soa, lanes, p->candidates);
@@ -206,25 +207,48 @@ static void begin_from_exit_hits(packet *p, const exit_hits *e)
     }
 }
 
-/* True for whatever start_may_be_here() is, with what is known of the lane: its length is at most twice its largest
- * component, and its size is not below that of its origin's. */
-static inline bool may_be_at_start(const packet *p, uint32_t i, double t)
+/* Can a hit at t or farther of any lane be one that start_may_be_here()? True wherever it is, with what is known of the
+ * lanes: a length is at most twice the largest component, and a size is not below that of the origin's. */
+SIMD_CLONES static bool may_be_at_start(const bvh_traversal *restrict traversal, double t, double extent)
 {
-    return t * p->traversal.length[i] < 0x1p-29 * (p->world->extent + p->traversal.soa.size[i]) || p->exact >> i & 1;
+    const uint32_t n = traversal->count;
+    int64_t any = 0;
+
+    for (uint32_t i = 0; i < n; i++)
+        any |= t * traversal->length[i] < 0x1p-29 * (extent + traversal->soa.size[i]) ? -1 : 0;
+    return any != 0;
+}
+
+/* Hits of rays without an origin surface that lie at their starts are replaced by the next ones. Returns those of `found`
+ * that are left. */
+SIMD_RARE static uint64_t leave_starts(packet *p, uint64_t found)
+{
+    coincident_set from;
+    uint64_t rest;
+
+    for (rest = p->asked; rest; rest &= rest - 1) {
+        const uint32_t i = first_of64(rest);
+        hit *out = &p->out[p->of[i]];
+
+        if ((found >> p->of[i] & 1) && start_may_be_here(p->world, p->rays[i], out->crossing.t) &&
+            !start_leave(p->world, p->context, p->rays[i], p->tmax, &from, out))
+            found &= ~bit_of(p->of[i]);
+    }
+    return found;
 }
 
 /* Rays with a hit, as bits of the caller's. */
 static uint64_t end_nearest(packet *p)
 {
-    uint64_t found = 0, rest;
-    coincident_set from;
+    uint64_t found = 0, rest, escalated = 0;
+    double least = HUGE_VAL;
 
     for (rest = p->asked; rest; rest &= rest - 1) {
         const uint32_t i = first_of64(rest);
         const pov_hits *hits = &p->hits[i];
         hit *out = &p->out[p->of[i]];
 
-        p->context->escalated += hits->escalated;
+        escalated += hits->escalated;
         if (hits->count == 0)
             continue;
         out->object = out->crossing.owner;
@@ -233,11 +257,11 @@ static uint64_t end_nearest(packet *p)
         SIMD_PREFETCH(&p->world->objects_info[out->object]);
         if (hits->tied)
             coincidence_resolve(p->world, p->context, p->rays[i], NULL, out);
-        if (p->rays[i]->origin_surface == POV_NO_OWNER && may_be_at_start(p, i, out->crossing.t) &&
-            start_may_be_here(p->world, p->rays[i], out->crossing.t) &&
-            !start_leave(p->world, p->context, p->rays[i], p->tmax, &from, out))
-            found &= ~bit_of(p->of[i]);
+        least = out->crossing.t < least ? out->crossing.t : least;
     }
+    p->context->escalated += escalated;
+    if (found && (p->exact || may_be_at_start(&p->traversal, least, p->world->extent)))
+        found = leave_starts(p, found);
     return found;
 }
 

@@ -5,7 +5,7 @@
 /* Lanes are processed in groups of eight; a packet too small for packet traversal, in groups of four. */
 static inline uint32_t width(uint32_t n) { return n <= 4 ? 4 : (n + 7) & ~7u; }
 
-/* True: all are in the range that filters are promised. */
+/* True: all are in the range that filters are promised. False: that has to be looked at. */
 SIMD_CLONES static bool derive(pov_rays *restrict s, uint32_t n, double end, double *restrict length)
 {
     int64_t all = -1;
@@ -15,14 +15,23 @@ SIMD_CLONES static bool derive(pov_rays *restrict s, uint32_t n, double end, dou
     return all != 0;
 }
 
+SIMD_CLONES static bool are_promised(const pov_rays *restrict s, uint32_t n)
+{
+    int64_t all = -1;
+
+    for (uint32_t i = 0; i < n; i++)
+        all &= ray_soa_is_promised(s, i);
+    return all != 0;
+}
+
 /* Lanes outside that range. */
 static uint64_t derive_all(bvh_traversal *t, double end)
 {
     uint64_t odd = 0;
 
-    if (!derive(&t->soa, width(t->count), end, t->length))
+    if (!derive(&t->soa, width(t->count), end, t->length) && !are_promised(&t->soa, width(t->count)))
         for (uint32_t i = 0; i < t->count; i++)
-            odd |= ray_soa_derive(&t->soa, i, end, t->length) ? 0 : bit_of(i);
+            odd |= ray_soa_is_promised(&t->soa, i) ? 0 : bit_of(i);
     return odd;
 }
 

@@ -92,7 +92,7 @@ static void begin(visit *v, const world *w, const pov_ray *const *ray, pov_hits 
     t->soa.excluded[0] = POV_NO_OWNER;
     v->filters = true;
     for (uint32_t i = 0; i < 4; i++)
-        v->filters &= ray_soa_derive(&t->soa, i, just_beyond(hits->tmax), t->length) != 0;
+        v->filters &= ray_soa_derive(&t->soa, i, just_beyond(hits->tmax), t->length) || ray_soa_is_promised(&t->soa, i);
 }
 
 /* The lists first, as in other queries. */
