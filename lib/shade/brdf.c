@@ -53,11 +53,13 @@ static inline float lesser(float a, float b) { return a < b ? a : b; }
 
 /* Reflected light of all lanes, bit for bit as above where there is a highlight. A highlight that is lost in the sum is
  * left out: all components of the sum are then at least APPEARANCE_VISIBLE. It is not computed either, because denormal
- * floats take a processor a hundred times as long. False: some lanes are left to the general function. */
+ * floats take a processor a hundred times as long. alike: highlights are all of f->alike. False: some lanes are left to the
+ * general function. */
 static inline bool brdf_lanes(light_sample *restrict s, const finishes *restrict f, const light_lanes *restrict in,
-                              uint32_t n, bool uniform)
+                              uint32_t n, bool uniform, bool alike)
 {
     const colour color = in->color;
+    const int64_t power = f->alike;
     uint32_t odd = 0;
 
     for (uint32_t i = 0; i < n; i++) {
@@ -66,7 +68,7 @@ static inline bool brdf_lanes(light_sample *restrict s, const finishes *restrict
         const float red = f->red[i] * slice, green = f->green[i] * slice, blue = f->blue[i] * slice;
         const float least = lesser(fabsf(red), lesser(fabsf(green), fabsf(blue)));
         const bool shines = (cosine > 0.0) & (specular_cos > 0.0) & !((specular_cos <= f->highlight_cutoff[i]) & (least >= APPEARANCE_VISIBLE));
-        const double product = highlight_product(shines ? specular_cos : 0.0, f->power[i]);
+        const double product = highlight_product(shines ? specular_cos : 0.0, alike ? power : f->power[i], alike);
         const float lo = f->phong[i] * highlight_lo(product), hi = f->phong[i] * highlight_hi(product);
         const float strength = shines ? lo : 0.0f;
 
@@ -81,16 +83,29 @@ static inline bool brdf_lanes(light_sample *restrict s, const finishes *restrict
     return !odd;
 }
 
+SIMD_CLONES static bool brdf_alike(light_sample *restrict s, const finishes *restrict f, const light_lanes *restrict in,
+                                   uint32_t n)
+{
+    return brdf_lanes(s, f, in, n, true, true);
+}
+
 SIMD_CLONES static bool brdf_uniform(light_sample *restrict s, const finishes *restrict f, const light_lanes *restrict in,
                                      uint32_t n)
 {
-    return brdf_lanes(s, f, in, n, true);
+    return brdf_lanes(s, f, in, n, true, false);
 }
 
 SIMD_CLONES static bool brdf_varying(light_sample *restrict s, const finishes *restrict f, const light_lanes *restrict in,
                                      uint32_t n)
 {
-    return brdf_lanes(s, f, in, n, false);
+    return brdf_lanes(s, f, in, n, false, false);
+}
+
+static bool brdf_plain(light_sample *s, const finishes *f, const light_lanes *in, uint32_t n)
+{
+    if (!in->uniform)
+        return brdf_varying(s, f, in, n);
+    return f->alike > 0 ? brdf_alike(s, f, in, n) : brdf_uniform(s, f, in, n);
 }
 
 static inline colour incident_at(const light_lanes *in, uint32_t i)
@@ -104,7 +119,7 @@ void brdf_reflect(const finishes *f, const model *m, light_sample *s, const ligh
         brdf_reflect_rich(f, m, s, in, glossy, n);
         return;
     }
-    if (in->uniform ? brdf_uniform(s, f, in, n) : brdf_varying(s, f, in, n))
+    if (brdf_plain(s, f, in, n))
         return;
     for (uint32_t k = 0; k < f->count; k++) {
         const uint32_t i = f->lit[k];
@@ -158,6 +173,7 @@ static void set_rich(rich_finishes *r, uint32_t i, const appearance *a, const mo
 void brdf_begin(finishes *f, const model *m, const surfaces *on)
 {
     uint32_t count = 0, kinds = 0;
+    int64_t some = 0, all = -1;
 
     f->on = on;
     for (uint32_t i = 0; i < on->count; i++) {
@@ -168,7 +184,10 @@ void brdf_begin(finishes *f, const model *m, const surfaces *on)
         f->lit[count++] = (uint8_t)i;
         set_finish(f, i, a);
         kinds |= a->kinds;
+        some |= f->power[i];
+        all &= f->power[i];
     }
+    f->alike = some == all && some < 64 ? some : 0;
     f->count = count;
     f->kinds = kinds;
     for (uint32_t k = 0; kinds && k < count; k++)

@@ -19,6 +19,7 @@ typedef struct SIMD_ALIGNED finishes {
     float red[BATCH_MAX], green[BATCH_MAX], blue[BATCH_MAX], diffuse_weight[BATCH_MAX], phong[BATCH_MAX];
     double highlight_cutoff[BATCH_MAX];
     int64_t power[BATCH_MAX];
+    int64_t alike;               /* the power of all, where that is below 64; or 0 */
     const surfaces *on;
     uint32_t kinds;              /* FINISH_* that some surface has; rich is filled only if there is any */
     rich_finishes rich;

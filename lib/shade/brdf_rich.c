@@ -88,7 +88,7 @@ SIMD_CLONES static uint32_t phong_plain(parts *restrict p, const finishes *restr
         const float d = p->diffuse[i], least = least_of(fabsf(f->red[i] * d), least_of(fabsf(f->green[i] * d), fabsf(f->blue[i] * d)));
         const bool shines = is_lit_side(&f->rich, i, s->cosine[i]) & (cosine > 0.0) & (f->rich.phong[i] != 0.0f) &
                             !((cosine <= f->highlight_cutoff[i]) & (least >= APPEARANCE_VISIBLE));
-        const double product = highlight_product(shines ? cosine : 0.0, f->power[i]);
+        const double product = highlight_product(shines ? cosine : 0.0, f->power[i], false);
         const float lo = highlight_lo(product), hi = highlight_hi(product);
 
         p->odd[i] = shines & !((lo == hi) & (f->power[i] > 0) & (f->power[i] <= APPEARANCE_POWER_LANES));
@@ -140,7 +140,7 @@ SIMD_CLONES static uint32_t specular_plain(parts *restrict p, const finishes *re
 
         p->odd[i] = shines & (f->rich.whole[i] == 0);
         odd |= p->odd[i];
-        p->specular[i] = shines ? f->rich.specular[i] * visible(highlight_product(half_cos, f->rich.whole[i])) : 0.0f;
+        p->specular[i] = shines ? f->rich.specular[i] * visible(highlight_product(half_cos, f->rich.whole[i], false)) : 0.0f;
     }
     return odd;
 }

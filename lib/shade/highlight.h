@@ -26,7 +26,8 @@ static inline float highlight_power(double cosine, const appearance *of)
 /* The product for a power of up to APPEARANCE_POWER_LANES, without loops and branches: for lanes. */
 static inline double highlight_factor(double square, int64_t bit) { return bit ? square : 1.0; }
 
-static inline double highlight_product(double cosine, int64_t power)
+/* low: the power is below 64. */
+static inline double highlight_product(double cosine, int64_t power, bool low)
 {
     const double of2 = cosine * cosine, of4 = of2 * of2, of8 = of4 * of4, of16 = of8 * of8, of32 = of16 * of16;
     const double of64 = of32 * of32;
@@ -37,6 +38,8 @@ static inline double highlight_product(double cosine, int64_t power)
     product *= highlight_factor(of8, power & 8);
     product *= highlight_factor(of16, power & 16);
     product *= highlight_factor(of32, power & 32);
+    if (low)
+        return product;
     product *= highlight_factor(of64, power & 64);
     return product * highlight_factor(of64 * of64, power & 128);
 }
