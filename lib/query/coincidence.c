@@ -1,4 +1,5 @@
 #include "query/packet.h"
+#include "query/segment_end.h"
 
 #include <string.h>
 
@@ -240,12 +241,10 @@ static bool is_blocked_from(const world *w, query_context *k, const coincident_s
     packet p;
 
     begin(&p, w, k, from, ray, tmax);
-    p.slack = exact ? packet_end_slack(w, ray, tmax) : packet_near_end(tmax);
     p.any_blocks = any_blocks;
-    packet_begin_light(&p, 0);
-    p.hits[0].always_exact = exact;
-    if (!p.any_blocks)
-        p.filter_hits[0].always_exact = exact;
+    if (exact)
+        return packet_end_light(&p, segment_end_occlusion(&p), out) != 0;
+    p.slack = packet_near_end(tmax);
     return packet_end_light(&p, packet_occlusion(&p, w->kernels->any_single), out) != 0;
 }
 

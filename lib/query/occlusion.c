@@ -1,5 +1,6 @@
 #include "query/clear_solid.h"
 #include "query/packet.h"
+#include "query/segment_end.h"
 #include "query/start.h"
 
 #include "base/vec.h"
@@ -273,17 +274,6 @@ uint64_t packet_end_light(packet *p, uint64_t blocked, occlusion *out)
 
 /* ---- the queries ---- */
 
-/* In double-double, what differs from the end by less than this fraction of the lengths involved lies at the end: the
- * formulas reach 2^-98 of them. */
-static const double same_end = 0x1p-96;
-
-double packet_end_slack(const world *w, const pov_ray *ray, double tmax)
-{
-    const double size = pov_largest(ray->org) + w->extent;
-
-    return tmax < HUGE_VAL ? same_end * (tmax + size / pov_largest(ray->dir)) : 0.0;
-}
-
 /* Crossings are off by 32 units in the last place, 2^-47 of their distance: nearer the end than this, twice that and a
  * margin, more precision must tell on which side they are. */
 static const double near_end = 0x1p-45;
@@ -335,14 +325,9 @@ static bool is_blocked_exactly(const world *w, query_context *k, const pov_ray *
     packet_begin(&p, w, k, &ray, 1, tmax, tmax);
     p.of[0] = (uint8_t)which;
     p.exact = 1;
-    p.slack = packet_end_slack(w, ray, tmax);
     p.any_blocks = any_blocks;
-    packet_begin_light(&p, 0);
-    p.hits[0].always_exact = true;
-    if (!any_blocks)
-        p.filter_hits[0].always_exact = true;
     out->crossed &= ~bit_of(which);
-    return packet_end_light(&p, packet_occlusion(&p, w->kernels->any_single), out) != 0;
+    return packet_end_light(&p, segment_end_occlusion(&p), out) != 0;
 }
 
 bool query_occlusion_exact(const world *w, query_context *k, const pov_ray *ray, uint32_t which, double tmax,
@@ -365,11 +350,16 @@ static bool blocks_any(const world *w, query_context *k, const pov_ray *ray, dou
     return found.near_end && is_blocked_exactly(w, k, ray, 0, tmax, true, &found);
 }
 
+/* What doubles find may lie at the start, by a distance that is zero but for rounding, or at the end. */
 bool query_blocked(const world *w, query_context *k, const pov_ray *ray, double tmax)
 {
     coincident_set from;
+    occlusion found;
 
     if (!blocks_any(w, k, ray, tmax))
         return false;
-    return !start_find(w, k, ray, tmax, &from) || query_blocked_from(w, k, &from, ray, tmax);
+    if (start_find(w, k, ray, tmax, &from))
+        return from.count == 0 || query_blocked_from(w, k, &from, ray, tmax);
+    found.crossed = found.near_end = 0;
+    return is_blocked_exactly(w, k, ray, 0, tmax, true, &found);
 }

@@ -134,9 +134,8 @@ void packet_nearest(packet *p, bvh_traverse_fn *traverse);
 /* Find lanes whose light is blocked. */
 uint64_t packet_occlusion(packet *p, bvh_traverse_fn *traverse);
 void packet_begin_light(packet *p, uint32_t i);
-/* Slack of a segment's end for crossings in double; and in double-double. */
+/* Slack of a segment's end for crossings in double. */
 double packet_near_end(double tmax);
-double packet_end_slack(const world *w, const pov_ray *ray, double tmax);
 /* Return the crossings of unblocked lanes, and the blocked ones as bits of the caller's. */
 uint64_t packet_end_light(packet *p, uint64_t blocked, occlusion *out);
 

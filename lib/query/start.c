@@ -1,6 +1,6 @@
 #include "query/start.h"
 
-#include "world/copy_path.h"
+#include "query/own_space.h"
 
 /* What double-double cannot tell from the surface lies on it: some hundred times its error, in sizes of the shape and of
  * its distance from the origin of its space. */
@@ -10,46 +10,23 @@ static const double same_point_in_double = 0x1p-44;
 /* Smallest cosines between ray and surface that are told from zero. */
 static const double least_cosine = 0x1p-54, least_cosine_in_double = 0x1p-20;
 
-/* The size of numbers that take part in an intersection in the space of the shape, and the ray's speed there. */
-static double size_of(const copy_path *at, const pov_ray *ray, double *speed)
-{
-    const shape_class *shape = at->world->groups[at->world->objects_info[at->index].group].shape;
-    const shape_ref ref = world_shape(at->world, at->index);
-    pov_ray moved, own;
-    pov_box box;
-    double size;
-
-    ray = copy_path_ray(at, ray, &moved);
-    own = *ray;
-    if (ref.xform)
-        instance_ray(ref.xform, ray, &own);
-    *speed = pov_largest(own.dir);
-    size = pov_largest(own.org);
-    if (shape->bounds(ref.instance, &box))
-        size += fmax(pov_largest(box.lo), pov_largest(box.hi));
-    return size;
-}
-
 /* In double alone, an exact zero is one already; but not where the ray was taken into the shape's space, which rounds. beyond:
  * how far from the start the next crossing has to be. */
 static bool is_here(const world *w, const pov_ray *ray, hit *h, double *beyond)
 {
-    const object_info *info;
-    copy_path at;
-    double speed, reach, cosine;
-    bool certified, rounds;
+    bool certified;
+    double reach, cosine;
+    own_space own;
 
-    world_find(w, h->object, &at);
-    info = &at.world->objects_info[at.index];
-    certified = at.world->groups[info->group].shape->flags & POV_SHAPE_CERTIFIED;
-    rounds = copy_path_moves(&at) || world_shape(at.world, at.index).xform;
-    if (info->member || (certified && !rounds && !(h->crossing.mark.flags & POV_MARK_ESCALATED)))
+    own_space_of(w, h->object, ray, &own);
+    certified = own.shape->flags & POV_SHAPE_CERTIFIED;
+    if (own.member || (certified && !own.moved && !(h->crossing.mark.flags & POV_MARK_ESCALATED)))
         return false;
-    reach = (certified ? same_point : same_point_in_double) * size_of(&at, ray, &speed);
+    reach = (certified ? same_point : same_point_in_double) * own.size;
     world_surface(w, ray, h);
     cosine = fmax(fabs(pov_dot(h->normal, pov_unit(ray->dir))), certified ? least_cosine : least_cosine_in_double);
-    *beyond = certified ? h->crossing.t : reach / (speed * cosine);
-    return h->crossing.t * speed * cosine <= reach;
+    *beyond = certified ? h->crossing.t : reach / (own.speed * cosine);
+    return h->crossing.t * own.speed * cosine <= reach;
 }
 
 /* The ray is on the side of the surface that it goes to. */
@@ -84,6 +61,9 @@ bool start_find(const world *w, query_context *k, const pov_ray *ray, double tma
     hit h;
 
     from->count = 0;
-    return query_nearest_beyond(w, k, NULL, ray, 0.0, tmax, &h) && start_may_be_here(w, ray, h.crossing.t) &&
-           (start_leave(w, k, ray, tmax, from, &h), from->count > 0);
+    if (!query_nearest_beyond(w, k, NULL, ray, 0.0, tmax, &h))
+        return false;
+    if (start_may_be_here(w, ray, h.crossing.t))
+        start_leave(w, k, ray, tmax, from, &h);
+    return true;
 }

@@ -13,7 +13,8 @@ static inline bool start_may_be_here(const world *w, const pov_ray *ray, double 
 /* Is the hit at the start? Then it and all others there are left out: `from` names them, the hit becomes the next one.
  * False: no hit is left. */
 bool start_leave(const world *w, query_context *k, const pov_ray *ray, double tmax, coincident_set *from, hit *h);
-/* Names what lies at the start of a ray. False: nothing does. */
+/* Names what lies at the start of a ray; from->count is 0 where nothing does. False: double-double finds no crossing on the
+ * ray. */
 bool start_find(const world *w, query_context *k, const pov_ray *ray, double tmax, coincident_set *from);
 
 #endif

@@ -81,15 +81,24 @@ static const char *const faces[] = {
     "difference { box { <-3,-3,-3>, <4,3,3> } box { <1,-4,-4>, <5,4,4> } }",
 };
 
+/* Half of the directions graze the face, down to a cosine of 1e-4. */
+static pov_vec3 face_direction(uint64_t *seed)
+{
+    const pov_vec3 v = direction(seed);
+    const double graze = number(seed) < 0.0 ? pow(10.0, -4.0 * fabs(number(seed))) : 1.0;
+
+    return pov_unit(pov_vec3_of(v.x * graze, v.y, v.z));
+}
+
 /* Nothing is between a face and what is in front of it; from behind, the face is before ends beyond it and not before
  * ends on it. */
 static long misjudged_face(pov_tracer *tracer, double height, double distance, bool is_solid, uint64_t *seed)
 {
-    const pov_vec3 target = pov_vec3_of(1.0 + height, number(seed), number(seed)), from = direction(seed);
+    const pov_vec3 target = pov_vec3_of(1.0 + height, number(seed), number(seed)), from = face_direction(seed);
     const pov_vec3 eye = pov_add(target, pov_scale(from, distance));
     const bool in_front = from.x > 0.0;
 
-    if (fabs(from.x) < 0.01 || distance * fabs(from.x) < 8.0)
+    if (fabs(from.x) < 1e-4 || distance * fabs(from.x) < 8.0)
         return 0;
     if (in_front)
         return pov_trace_blocked(tracer, eye, target) != (target.x < 1.0);

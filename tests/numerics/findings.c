@@ -153,6 +153,66 @@ static void on_quadric(question *q)
     q->p.size = fmax(1.0, pov_largest(at));
 }
 
+/* Whole vectors across a normal of whole numbers, added up. */
+static pov_vec3 whole_across(pov_vec3 n)
+{
+    const double u = whole(-9, 9), v = whole(-9, 9), w = whole(-9, 9);
+
+    return pov_vec3_of(u * n.y - w * n.z, v * n.z - u * n.x, w * n.x - v * n.y);
+}
+
+/* A normal of whole length, so that the distance from the origin is whole where the plane goes through whole places. */
+static void on_plane(question *q)
+{
+    double length;
+
+    do
+        length = quadruple(&q->normal);
+    while (length > 1e4);
+    q->p.number[3] = length * whole(-9, 9);
+    q->on = pov_add(pov_scale(q->normal, q->p.number[3] / length), whole_across(q->normal));
+    put(&q->p, 0, q->normal);
+    q->p.count = 4;
+    q->p.size = fmax(1.0, pov_largest(q->on));
+}
+
+static void on_disc(question *q)
+{
+    const pov_vec3 centre = whole_vector(1000);
+    pov_vec3 to;
+    double out;
+
+    do {
+        q->normal = whole_vector(9);
+        to = whole_across(q->normal);
+    } while (pov_largest(q->normal) == 0.0 || pov_largest(to) == 0.0);
+    out = floor(sqrt(pov_dot(to, to)));
+    put(&q->p, 0, centre);
+    put(&q->p, 3, q->normal);
+    q->p.number[6] = out + whole(1, 20);
+    q->p.number[7] = U() < 0.5 ? 0.0 : floor(out * U());
+    q->p.count = 8;
+    q->on = pov_add(centre, to);
+    q->p.size = q->p.number[6];
+}
+
+/* Whole numbers along the tube and around the axis. */
+static void on_torus(question *q)
+{
+    double along, up, x, z, out, tube;
+
+    do {
+        tube = triple(&along, &up);
+        out = triple(&x, &z);
+    } while (!(out > along));
+    q->p.number[0] = out - along;
+    q->p.number[1] = tube;
+    q->p.count = 2;
+    q->on = pov_vec3_of(x, up, z);
+    q->normal = pov_vec3_of(along * x / out, up, along * z / out);
+    q->p.size = q->p.number[0] + tube;
+}
+
 /* Corners and point in a plane through whole places. */
 static void on_flat(question *q)
 {
@@ -210,8 +270,14 @@ static void make_on(question *q, double parameter)
         on_box(q, parameter > 0.0);
     else if (q->p.kind == QUADRIC)
         on_quadric(q);
-    else if (kind_is_planar(q->p.kind))
+    else if (kind_has_corners(q->p.kind))
         on_flat(q);
+    else if (q->p.kind == PLANE)
+        on_plane(q);
+    else if (q->p.kind == DISC)
+        on_disc(q);
+    else if (q->p.kind == TORUS)
+        on_torus(q);
     else
         on_cone(q);
     if (parameter > 0.0)
@@ -245,7 +311,7 @@ static void segment(question *q, pov_vec3 from, pov_vec3 to)
 /* parameter: sizes that it is seen from, at most, as an exponent of ten */
 static void end_on(question *q, double parameter)
 {
-    segment(q, pov_add(q->on, pov_scale(off(q, -2.0), q->p.size * log_between(0.0, parameter))), q->on);
+    segment(q, pov_add(q->on, pov_scale(off(q, -4.0), q->p.size * log_between(0.0, parameter))), q->on);
 }
 
 /* 1e-16 to 1e-5 sizes off the surface. */
@@ -418,7 +484,7 @@ static void leave_plane(question *q, double parameter)
 }
 
 enum {
-    FLAT = 1u << POLYGON | 1u << TRIANGLE | 1u << MESH, ALL = (2u << MESH) - 1, SECOND = 1u << QUADRIC,
+    FLAT = 1u << POLYGON | 1u << TRIANGLE | 1u << MESH | 1u << SMOOTH_TRIANGLE, ALL = (1u << KINDS) - 1, SECOND = 1u << QUADRIC,
     UPRIGHT = 1u << BOX | 1u << CONE | 1u << CYLINDER
 };
 
@@ -427,6 +493,8 @@ const finding findings[] = {
     { "n1_starts_on_a_mapped_surface", ALL, A_RAY, 512, 1e-13, make_on, 1.0, start_on, 0.0 },
     { "n2_segments_that_end_near_a_surface", ALL, A_SEGMENT, 512, 0.0, make_any, 0.0, end_near, 12.0 },
     { "n2_segments_that_end_on_a_surface", ALL, A_SEGMENT, 512, 0.0, make_on, 0.0, end_on, 12.0 },
+    { "n2_segments_that_end_near_a_mapped_surface", ALL, A_SEGMENT, 512, 0.0, make_mapped, 2.0, end_near, 12.0 },
+    { "n2_segments_that_end_on_a_mapped_surface", ALL, A_SEGMENT, 512, 0.0, make_on, 1.0, end_on, 12.0 },
     { "n3_lights_on_a_surface", ALL, A_LIGHT, 512, 0.0, make_on, 0.0, light_on, 0.0 },
     { "n5_grazed_slivers", FLAT, A_RAY, 512, 1e-13, make_sliver, -13.0, graze, -13.0 },
     { "n5_grazed_quadrics_that_are_nearly_planes", SECOND, A_RAY, 512, 1e-13, make_nearly_plane, -9.0, graze, -15.0 },

@@ -23,7 +23,7 @@ static void feed_vector(pov_reader *in, const double *v)
 }
 
 /* Across two sides, so long that it does not vanish. */
-static void find_normal(const probe *p, double normal[3])
+void probe_flat_normal(const probe *p, double normal[3])
 {
     const double *v = p->number;
     const pov_vec3 a = pov_unit(pov_vec3_of(v[4] - v[1], v[5] - v[2], v[6] - v[3]));
@@ -38,7 +38,7 @@ static void feed_triangle(pov_reader *in, const probe *p)
     double normal[3];
     int i;
 
-    find_normal(p, normal);
+    probe_flat_normal(p, normal);
     if (p->kind == MESH) {
         fake_reader_word(in, "triangle");
         fake_reader_word(in, "{");

@@ -46,6 +46,8 @@ void probe_exact(const probe *p, exact_result *out);
 void probe_exact_line(const probe *p, real3 org, real3 dir, exact_result *out);
 
 const char *probe_keyword(kind k);
+/* The normal that a smooth triangle has at its corners: that of its plane. */
+void probe_flat_normal(const probe *p, double normal[3]);
 /* The shape, parsed by its plugin into memory of the class's size. */
 bool probe_make(const probe *p, const shape_class *shape, pov_reader *in, void *self);
 

@@ -32,9 +32,24 @@ typedef struct tally {
 
 static char *put_vector(char *at, const double *v) { return at + sprintf(at, "<%.17g,%.17g,%.17g>", v[0], v[1], v[2]); }
 
+/* Of all kinds of triangles. */
+static char *put_corners(char *at, const probe *p)
+{
+    double normal[3];
+    int i;
+
+    probe_flat_normal(p, normal);
+    for (i = 1; i < 10; i += 3) {
+        at = put_vector(at, p->number + i);
+        if (p->kind == SMOOTH_TRIANGLE)
+            at = put_vector(at, normal);
+    }
+    return at;
+}
+
 static char *put_shape(char *at, const probe *p)
 {
-    static const char *const forms[KINDS] = { "vn", "vv", "vnvn", "vvn", "vvvn", "n", "", "" };
+    static const char *const forms[KINDS] = { "vn", "vv", "vnvn", "vvn", "vvvn", "n", "", "", "", "nn", "vn", "vvnn" };
     const char *form;
     int i = 0;
 
@@ -44,9 +59,8 @@ static char *put_shape(char *at, const probe *p)
         at = *form == 'v' ? put_vector(at, p->number + i) : at + sprintf(at, "%.17g", p->number[i]);
         i += *form == 'v' ? 3 : 1;
     }
-    if (p->kind == TRIANGLE || p->kind == MESH)
-        for (i = 1; i < 10; i += 3)
-            at = put_vector(at, p->number + i);
+    if (kind_has_corners(p->kind) && p->kind != POLYGON)
+        at = put_corners(at, p);
     for (; p->kind == POLYGON && i < p->count; i += 3)
         at = put_vector(at + sprintf(at, ", "), p->number + i);
     return at + sprintf(at, "%s%s", p->open ? " open" : "", p->kind == MESH ? " }" : "");
@@ -98,11 +112,21 @@ static void exact_line(question *q, real_map *f, real3 org, real3 dir, exact_res
     probe_exact_line(&q->p, o, d, out);
 }
 
-/* An inverse map is rounded to 512 bits. */
-static bool is_all_but_zero(real a) { return fabs(real_double(a)) < 0x1p-300; }
+/* An inverse map is rounded to 512 bits; roots of a torus are found to 2^-300 of its size. */
+static bool is_all_but_zero(const question *q, real a)
+{
+    return fabs(real_double(a)) < (q->p.kind == TORUS ? 0x1p-250 * q->p.size / sqrt(pov_dot(q->p.ray.dir, q->p.ray.dir)) : 0x1p-300);
+}
 
 /* Where the sign is a matter of less than what two parts hold. */
-static bool is_open(real a, double rise) { return !is_all_but_zero(a) && fabs(real_double(a)) * rise < 0x1p-90; }
+static bool is_open(const question *q, real a, double rise) { return !is_all_but_zero(q, a) && fabs(real_double(a)) * rise < 0x1p-90; }
+
+/* The same at a segment's end, at a part of its length: heights over the surface below 2^-95 of the lengths involved are
+ * taken for nothing. */
+static bool is_end_open(const question *q, real a, double rise, double lengths)
+{
+    return !is_all_but_zero(q, a) && fabs(real_double(a)) * rise < 0x1.8p-95 * lengths;
+}
 
 static double rise_of(const question *q, const exact_crossing *e)
 {
@@ -120,12 +144,11 @@ static void complain(const question *q, const char *scene, const pov_ray *ray, c
                     ray->dir.x, ray->dir.y, ray->dir.z, q->to.x, q->to.y, q->to.z);
 }
 
-/* The normal in the world goes by the transposed inverse; it may point to either side. */
-static double normal_off(const real_map *f, const exact_crossing *e, pov_vec3 found)
+/* The normal in the world goes by the transposed inverse. */
+static void world_normal(const real_map *f, const exact_crossing *e, real r[3])
 {
     const real n[3] = { real_of(e->normal[0]), real_of(e->normal[1]), real_of(e->normal[2]) };
-    real r[3], length;
-    double side;
+    real length;
     int i;
 
     for (i = 0; i < 3; i++)
@@ -134,6 +157,15 @@ static double normal_off(const real_map *f, const exact_crossing *e, pov_vec3 fo
     length = real_sqrt(real3_dot(real3_of(r[0], r[1], r[2]), real3_of(r[0], r[1], r[2])));
     for (i = 0; i < 3; i++)
         r[i] = real_div(r[i], length);
+}
+
+/* It may point to either side. */
+static double normal_off(const real_map *f, const exact_crossing *e, pov_vec3 found)
+{
+    double side;
+    real r[3];
+
+    world_normal(f, e, r);
     side = found.x * real_double(r[0]) + found.y * real_double(r[1]) + found.z * real_double(r[2]) < 0.0 ? -1.0 : 1.0;
     return fmax(fabs(side * found.x - real_double(r[0])),
                 fmax(fabs(side * found.y - real_double(r[1])), fabs(side * found.z - real_double(r[2]))));
@@ -164,11 +196,11 @@ static void judge_ray(pov_tracer *tracer, question *q, const char *scene, tally 
 
     exact_line(q, &f, real3_point(ray.org), real3_point(ray.dir), &e);
     for (i = 0; i < e.count; i++) {
-        if (is_open(real_mul(e.at[i].t, real_of(sqrt(pov_dot(q->p.ray.dir, q->p.ray.dir)) / q->p.size)), rise_of(q, &e.at[i]))) {
+        if (is_open(q, real_mul(e.at[i].t, real_of(sqrt(pov_dot(q->p.ray.dir, q->p.ray.dir)) / q->p.size)), rise_of(q, &e.at[i]))) {
             out->open++;
             return;
         }
-        if (!first && real_sign(e.at[i].t) > 0 && !is_all_but_zero(e.at[i].t))
+        if (!first && real_sign(e.at[i].t) > 0 && !is_all_but_zero(q, e.at[i].t))
             first = &e.at[i];
     }
     out->judged++;
@@ -178,10 +210,21 @@ static void judge_ray(pov_tracer *tracer, question *q, const char *scene, tally 
         measure(q, &f, first, &hit, out);
 }
 
+/* The cosine in the shape's own space or in the world, whichever is less: a shape may have absorbed its map or not. */
+static double least_rise(const question *q, const real_map *f, const exact_crossing *e, pov_vec3 dir)
+{
+    const pov_vec3 d = pov_unit(dir);
+    real r[3];
+
+    world_normal(f, e, r);
+    return fmin(rise_of(q, e), fabs(real_double(r[0]) * d.x + real_double(r[1]) * d.y + real_double(r[2]) * d.z));
+}
+
 /* Is anything between two points? Gives -1 where that is open. */
 static int is_blocked(question *q, pov_vec3 from, pov_vec3 to)
 {
     const real3 org = real3_point(from), dir = real3_sub(real3_point(to), org);
+    const double lengths = 1.0 + (pov_largest(from) + q->p.size) / pov_largest(pov_sub(to, from));
     exact_result e;
     real_map f;
     int i, blocked = 0;
@@ -191,9 +234,10 @@ static int is_blocked(question *q, pov_vec3 from, pov_vec3 to)
         const real left = real_sub(e.at[i].t, real_of(1.0));
 
         /* A quadric that is all but a point is not of the size that it is taken for. */
-        if (is_open(left, rise_of(q, &e.at[i])) || is_open(e.at[i].t, rise_of(q, &e.at[i])) || e.at[i].clearance < 1e-6 * q->p.size)
+        if (is_end_open(q, left, least_rise(q, &f, &e.at[i], pov_sub(to, from)), lengths) || is_open(q, e.at[i].t, rise_of(q, &e.at[i])) ||
+            e.at[i].clearance < 1e-6 * q->p.size)
             return -1;
-        if (real_sign(e.at[i].t) > 0 && !is_all_but_zero(e.at[i].t) && real_sign(left) < 0 && !is_all_but_zero(left))
+        if (real_sign(e.at[i].t) > 0 && !is_all_but_zero(q, e.at[i].t) && real_sign(left) < 0 && !is_all_but_zero(q, left))
             blocked = 1;
     }
     return blocked;
