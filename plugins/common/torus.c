@@ -70,12 +70,27 @@ static pov_two refine_outer(const stretch *s, pov_two t)
     return t;
 }
 
+/* A distance so small may be an exact zero. */
+static const double at_start = 0x1p-60;
+
+/* Newton's method ends where no bit of a double changes: a step more, so that only what double-double loses is lost. */
+static pov_two sharpen(const stretch *s, pov_two t)
+{
+    const pov_two3 p = common_along_dd(&s->ray, t);
+    const double step = -0.5 * value_at(s->torus, p).hi / slope_at(s, p) * s->half;
+
+    return fabs(step) < at_start * s->half ? pov_two_add_double(t, step) : t;
+}
+
 /* At the distance t in local units. False: no more crossings are wanted. */
 bool common_torus_report(const stretch *s, pov_two t, bool rising, bool escalated, pov_hits *hits)
 {
-    const pov_mark mark = { rising ? EXITING : ENTERING, escalated ? POV_MARK_ESCALATED : 0, 0.0, 0.0 };
+    const bool is_near = fabs(t.hi) < at_start;
+    const pov_mark mark = { rising ? EXITING : ENTERING, escalated || is_near ? POV_MARK_ESCALATED : 0, 0.0, 0.0 };
     double at;
 
+    if (is_near || hits->always_exact)
+        t = sharpen(s, t);
     if (s->torus->lens.hi > 0.0 && is_in_lens(s->torus, common_along_dd(&s->ray, t)))
         return true;
     if (s->torus->lens.hi > 0.0)
