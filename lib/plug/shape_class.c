@@ -35,7 +35,7 @@ static void fill_fast(shape_class *out, const pov_shape_fast *from)
     out->ellipsoid = f.ellipsoid;
     out->half_space = f.half_space;
     out->hull = f.hull;
-    out->convex = f.convex;
+    out->outline = f.outline;
     out->intersect_between = f.intersect_between;
 }
 

@@ -43,7 +43,7 @@ typedef struct shape_class {
     bool (*half_space)(const void *self, pov_half_space *out);
     uint32_t (*hull)(const void *self, const pov_half_space *within, uint32_t n, pov_half_space *out);
     void (*intersect_between)(const void *self, const pov_ray *ray, pov_hits *hits);
-    bool (*convex)(const void *self, pov_convex *out);
+    bool (*outline)(const void *self, pov_outline *out);
 } shape_class;
 
 /* Complete a class that shape_class_check() has accepted. */

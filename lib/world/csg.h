@@ -67,12 +67,16 @@ typedef struct csg_chords {
     uint32_t member[CSG_FEW];
 } csg_chords;
 
-/* What their surfaces are, about, side by side: csg_outline.c. */
+/* What the surfaces of few members are, about, side by side: csg_outline.c. */
+enum { CSG_COLUMNS = 16 };
 typedef struct csg_outline {
+    uint32_t count, member[CSG_COLUMNS];     /* columns: of chords theirs, else the members that are not absent */
+    uint32_t hidden, bare;       /* columns, as bits: they clip; they are quadrics without slabs, of any kind */
+    uint8_t *values;             /* of the tree, by the columns that hold a point, as bits, where there are few; or NULL */
     pov_vec3 centre;             /* of the tree's box */
     double size, per_size;       /* half of its largest extent, and the inverse */
     uint32_t slabs, quadrics;    /* filled up to whole vectors */
-    uint8_t slab_of[3 * CSG_FEW], quadric_of[CSG_FEW];   /* columns */
+    uint8_t slab_of[3 * CSG_COLUMNS], quadric_of[CSG_COLUMNS];   /* columns */
     double numbers[];
 } csg_outline;
 
@@ -83,7 +87,7 @@ typedef struct csg_tree {
     csg_few few;
     csg_chords chords;
     csg_clipped clipped;         /* count 0: the tree is another one */
-    csg_outline *outline;        /* of chords; NULL: not known */
+    csg_outline *outline;        /* NULL: not known */
     csg_member *members;         /* in the order of the text: their leaves are consecutive */
     csg_node *nodes;             /* the first is the root */
     csg_state *outside;          /* by node: states outside all members */
@@ -123,7 +127,7 @@ void csg_find_chords(csg_tree *t);
 void csg_find_clipped(csg_tree *t);
 /* Once members have instances: which of them are one surface? False: no memory. */
 bool csg_find_same(csg_tree *t, const env *e);
-/* And what do they look like, where they are chords? False: no memory. */
+/* And what do they look like, where they are few? False: no memory. */
 bool csg_find_outline(csg_tree *t, const env *e);
 /* Make the trees of a model; false: no memory. Call csg_free() in any case. */
 bool csg_make(csg_list *out, const model *m, const csg_source *source);
@@ -159,5 +163,7 @@ void csg_intersect(const void *self, const pov_ray *ray, pov_hits *hits);
 bool csg_inside(const void *self, pov_vec3 point, pov_vec3 point_lo);
 /* The value of a node from those of its children. */
 int32_t csg_value(const csg_node *n, const csg_state *s);
+/* A member is entered or left: update `inside` and the nodes above it, up to the first whose value stays. */
+void csg_flip(const csg_tree *t, csg_state *states, uint8_t *inside, uint32_t member);
 
 #endif

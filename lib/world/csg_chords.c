@@ -84,23 +84,6 @@ static bool is_before(chord_search *s, double a, double b)
     return a < b;
 }
 
-static void intersect(chord_search *s, const csg_member *m)
-{
-    const csg_traversal *w = s->w;
-    const uint32_t escalated = s->found.escalated;
-    class_counts *classes = w->scratch->classes;
-
-    s->found.owner = w->scratch->names + m->leaf;
-    if (m->xform)
-        instance_intersect(m->xform, m->shape, m->instance, w->ray, &s->found);
-    else
-        m->shape->intersect(m->instance, w->ray, &s->found);
-    if (classes) {
-        classes->of[m->class_number].asked++;
-        classes->of[m->class_number].escalated += s->found.escalated - escalated;
-    }
-}
-
 /* The interval of a column's member. */
 static chord *ask(chord_search *s, uint32_t column)
 {
@@ -108,12 +91,15 @@ static chord *ask(chord_search *s, uint32_t column)
     const double behind = CSG_SEPARATION * s->w->size;
     chord *c = &s->of[column];
     const pov_crossing *at = s->at + first;
+    const csg_member *m;
     uint32_t count;
 
     if (s->asked >> column & 1)
         return c;
     s->asked |= 1u << column;
-    intersect(s, &s->w->tree->members[s->w->tree->chords.member[column]]);
+    m = &s->w->tree->members[s->w->tree->chords.member[column]];
+    s->found.owner = s->w->scratch->names + m->leaf;
+    csg_intersect_member(s->w, m, &s->found);
     count = s->found.count - first;
     c->in = c->out = NULL;
     for (uint32_t i = 0; i < count; i++)
@@ -207,24 +193,6 @@ static void begin(chord_search *s, csg_traversal *w, const pov_hits *hits)
     s->asked = 0;
 }
 
-static uint32_t column_from(const csg_traversal *w)
-{
-    const uint32_t from = csg_which(w, w->ray->origin_surface);
-    uint32_t i = 0;
-
-    if (from >= w->tree->member_count)
-        return CSG_FEW;
-    while (i < w->tree->few.count && w->tree->chords.member[i] != from)
-        i++;
-    return i < w->tree->few.count ? i : CSG_FEW;
-}
-
-/* Where any crossing will do, and one certainly lies before the end, its distance need not be known. */
-static bool is_enough(const csg_first *f, const pov_hits *hits)
-{
-    return hits->want == POV_WANT_ANY && f->t + f->off < hits->tmax - hits->slack;
-}
-
 /* Report the crossing that the outline has found. False: its member does not have it. */
 static bool report_found(chord_search *s, const csg_first *f, pov_hits *hits)
 {
@@ -232,7 +200,7 @@ static bool report_found(chord_search *s, const csg_first *f, pov_hits *hits)
     const pov_crossing about = { .t = f->t, .owner = s->w->scratch->names + m->leaf };
     const pov_crossing *at = &about;
 
-    if (!is_enough(f, hits)) {
+    if (!csg_first_is_enough(f, hits)) {
         const chord *c = ask(s, f->column);
 
         at = f->enters ? c->in : c->out;
@@ -250,7 +218,7 @@ static bool is_found(csg_traversal *w, pov_hits *hits)
     chord_search s;
     csg_first first;
 
-    switch (csg_outline_first(w->tree, w->ray, column_from(w), hits->tmax + hits->slack, &first)) {
+    switch (csg_outline_first(w->tree, w->ray, csg_outline_column(w), hits->tmax + hits->slack, &first)) {
     case CSG_NOTHING:
         return true;
     case CSG_CROSSED:

@@ -211,10 +211,16 @@ static bool traverse(csg_traversal *w, pov_hits *hits, bool exact)
     return enough;
 }
 
-/* Is the first crossing ahead all that is wanted, of a tree whose crossings doubles can order? */
-static bool is_by_first(const csg_tree *t, const pov_hits *hits)
+/* The first crossing, where that is all that is wanted. False: doubles cannot tell, or the tree is another one. */
+static bool find_first(csg_traversal *w, pov_hits *hits)
 {
-    return (t->chords.all || t->clipped.count > 0) && t->open_count == 0 && !hits->always_exact && hits->want != POV_WANT_ALL && hits->tmin == 0.0;
+    const csg_tree *t = w->tree;
+
+    if (t->open_count > 0 || hits->always_exact || hits->want == POV_WANT_ALL || hits->tmin != 0.0)
+        return false;
+    if (t->chords.all)
+        return csg_chords_first(w, hits);
+    return (t->outline && csg_sweep_first(w, hits)) || (t->clipped.count > 0 && csg_clipped_first(w, hits));
 }
 
 void csg_intersect(const void *self, const pov_ray *ray, pov_hits *hits)
@@ -223,7 +229,7 @@ void csg_intersect(const void *self, const pov_ray *ray, pov_hits *hits)
     csg_traversal w;
 
     csg_traversal_init(&w, ((const csg_root *)self)->tree, ray, hits);
-    if (is_by_first(w.tree, hits) && (w.tree->chords.all ? csg_chords_first(&w, hits) : csg_clipped_first(&w, hits)))
+    if (find_first(&w, hits))
         return;
     if (!csg_traversal_enters(&w, hits) || traverse(&w, hits, hits->always_exact))
         return;

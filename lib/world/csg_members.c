@@ -62,16 +62,14 @@ void csg_scratch_free(csg_scratch *s)
 
 /* ---- values ---- */
 
-/* Enter or leave a member, and update its ancestors, up to the first whose value stays. */
-void csg_toggle(csg_traversal *w, uint32_t member)
+void csg_flip(const csg_tree *t, csg_state *states, uint8_t *inside, uint32_t member)
 {
-    const csg_member *m = &w->tree->members[member];
-    csg_state *states = w->scratch->states;
+    const csg_member *m = &t->members[member];
     uint32_t node = m->node;
-    int32_t now = (w->scratch->inside[member] ^= 1) != m->inverse, before = !now;
+    int32_t now = (inside[member] ^= 1) != m->inverse, before = !now;
 
     for (;;) {
-        const csg_node *n = &w->tree->nodes[node];
+        const csg_node *n = &t->nodes[node];
         csg_state *s = &states[node];
 
         s->sum += now - before;
@@ -82,6 +80,11 @@ void csg_toggle(csg_traversal *w, uint32_t member)
             return;
         node = n->parent;
     }
+}
+
+void csg_toggle(csg_traversal *w, uint32_t member)
+{
+    csg_flip(w->tree, w->scratch->states, w->scratch->inside, member);
 }
 
 /* ---- boxes ---- */
@@ -234,6 +237,11 @@ double csg_slope(const csg_traversal *w, const pov_crossing *at)
 
 static double cosine_at(const csg_traversal *w, const pov_crossing *at) { return fabs(csg_slope(w, at)); }
 
+bool csg_is_behind(const csg_traversal *w, const pov_crossing *at)
+{
+    return at->t * cosine_at(w, at) <= CSG_SAME_POINT * w->size;
+}
+
 /* A surface that coincides with the ray's origin surface is behind the ray. */
 static bool is_behind(csg_traversal *w, const pov_crossing *at)
 {
@@ -243,7 +251,7 @@ static bool is_behind(csg_traversal *w, const pov_crossing *at)
         w->unsure = true;
         return false;
     }
-    return at->t * cosine_at(w, at) <= CSG_SAME_POINT * w->size;
+    return csg_is_behind(w, at);
 }
 
 static void drop_behind(csg_traversal *w, uint32_t first)
@@ -322,15 +330,27 @@ static uint32_t name_of(const csg_traversal *w, const csg_member *m)
                                                                                     : w->scratch->names + m->leaf;
 }
 
+void csg_intersect_member(const csg_traversal *w, const csg_member *m, pov_hits *found)
+{
+    const uint32_t escalated = found->escalated;
+    class_counts *classes = w->scratch->classes;
+
+    if (m->xform)
+        instance_intersect(m->xform, m->shape, m->instance, w->ray, found);
+    else
+        m->shape->intersect(m->instance, w->ray, found);
+    if (classes) {
+        classes->of[m->class_number].asked++;
+        classes->of[m->class_number].escalated += found->escalated - escalated;
+    }
+}
+
 static void intersect(csg_traversal *w, const csg_member *m)
 {
     const uint32_t first = w->found.count;
 
     w->found.owner = name_of(w, m);
-    if (m->xform)
-        instance_intersect(m->xform, m->shape, m->instance, w->ray, &w->found);
-    else
-        m->shape->intersect(m->instance, w->ray, &w->found);
+    csg_intersect_member(w, m, &w->found);
     for (uint32_t i = first; i < w->found.count; i++)
         w->found.at[i].owner = w->scratch->names + m->leaf;
 }
@@ -340,15 +360,11 @@ static void intersect(csg_traversal *w, const csg_member *m)
 static void test_member(csg_traversal *w, uint32_t member, const cut_crossing *cut)
 {
     const csg_member *m = &w->tree->members[member];
-    const uint32_t first = w->found.count, escalated = w->found.escalated;
+    const uint32_t first = w->found.count;
     bool inside;
 
     w->scratch->asked[w->asked_count++] = member;
     intersect(w, m);
-    if (w->scratch->classes) {
-        w->scratch->classes->of[m->class_number].asked++;
-        w->scratch->classes->of[m->class_number].escalated += w->found.escalated - escalated;
-    }
     drop_behind(w, first);
     inside = !m->patch && !m->open && (w->found.count - first) & 1;
     if (!m->boxed && !m->patch && !m->open)
@@ -401,12 +417,16 @@ void csg_traversal_init(csg_traversal *w, const csg_tree *tree, const pov_ray *r
     w->inverse = pov_vec3_of(1.0 / ray->dir.x, 1.0 / ray->dir.y, 1.0 / ray->dir.z);
 }
 
-bool csg_traversal_enters(csg_traversal *w, const pov_hits *hits)
+bool csg_traversal_hits_box(csg_traversal *w)
 {
     w->enter = 0.0;
     w->leave = HUGE_VAL;
-    return !w->tree->boxed ||
-           (hits_box(w, &w->tree->box, &w->enter, &w->leave) && hits_cuts(w, w->enter, fmin(w->leave, hits->tmax)));
+    return !w->tree->boxed || hits_box(w, &w->tree->box, &w->enter, &w->leave);
+}
+
+bool csg_traversal_enters(csg_traversal *w, const pov_hits *hits)
+{
+    return csg_traversal_hits_box(w) && (!w->tree->boxed || hits_cuts(w, w->enter, fmin(w->leave, hits->tmax)));
 }
 
 void csg_traversal_begin(csg_traversal *w, const pov_hits *hits, bool exact)

@@ -6,16 +6,17 @@
 
 #include <string.h>
 
-enum { SLABS = 3 * CSG_FEW, QUADRICS = CSG_FEW, SLAB_NUMBERS = 5, QUADRIC_NUMBERS = 10, FOUR = 4 };
+enum { SLABS = 3 * CSG_COLUMNS, QUADRICS = CSG_COLUMNS, SLAB_NUMBERS = 5, QUADRIC_NUMBERS = 10, FOUR = 4 };
 
 /* Numbers stand side by side by four slabs, or four quadrics; here is the first of one. */
 static double *numbers_of(double *numbers, uint32_t each, uint32_t i) { return numbers + i / FOUR * FOUR * each + i % FOUR; }
 
 /* Lengths are in units of the tree's size. */
-static const double margin = 0x1p-20;        /* crossings are where they are within half of this */
+static const double margin = CSG_OUTLINE_MARGIN;
 static const double farthest = 0x1p26;       /* rays from beyond, and trees as far from the origin, are left to others */
 static const double least_slope = 0x1p-22;   /* a ray along a slab crosses it far from the tree, */
 static const double least_height = 0x1p-17;  /* unless it runs this near to the slab's end */
+static const double most_cancelled = 0x1p12;
 static const double least_square = 0x1p-20, least_chord = 0x1p-22, least_miss = 0x1p-40;
 
 /* ---- making one ---- */
@@ -29,7 +30,7 @@ static pov_vec3 linear_part(const own_map *m, pov_vec3 q)
 }
 
 /* False: it is too far away. */
-static bool find_map(const csg_member *m, const pov_convex *c, const csg_outline *of, own_map *out)
+static bool find_map(const csg_member *m, const pov_outline *c, const csg_outline *of, own_map *out)
 {
     const double size = of->size;
     double least = 0.0, from;
@@ -60,7 +61,7 @@ static double dot_square(const double s[6], pov_vec3 a, pov_vec3 b)
 }
 
 /* False: it is as good as flat, or nothing is known. */
-static bool add_slab(const pov_convex *c, int which, const own_map *map, double *to)
+static bool add_slab(const pov_outline *c, int which, const own_map *map, double *to)
 {
     const pov_vec3 own = c->normal[which];
     const pov_vec3 n = pov_vec3_of(pov_dot(own, map->column[0]), pov_dot(own, map->column[1]), pov_dot(own, map->column[2]));
@@ -71,15 +72,16 @@ static bool add_slab(const pov_convex *c, int which, const own_map *map, double 
     to[2 * FOUR] = n.z / length;
     to[3 * FOUR] = (c->lo[which] - shift) / length;
     to[4 * FOUR] = (c->hi[which] - shift) / length;
-    return length > 0.0 && to[4 * FOUR] - to[3 * FOUR] > least_height && fabs(to[3 * FOUR]) < farthest &&
-           fabs(to[4 * FOUR]) < farthest;
+    return length > 0.0 && to[4 * FOUR] - to[3 * FOUR] > least_height &&
+           (fabs(to[3 * FOUR]) < farthest || c->lo[which] == -HUGE_VAL) && fabs(to[4 * FOUR]) < farthest;
 }
 
-static bool add_quadric(const pov_convex *c, const own_map *map, double *to)
+static bool add_quadric(const pov_outline *c, const own_map *map, double *to)
 {
     static const int first[6] = { 0, 1, 2, 0, 0, 1 }, second[6] = { 0, 1, 2, 1, 2, 2 };
     double number[QUADRIC_NUMBERS], largest = 0.0;
-    bool known = true;
+    const double terms = fabs(dot_square(c->square, map->from, map->from)) + fabs(2.0 * pov_dot(c->linear, map->from)) + fabs(c->constant);
+    bool known;
 
     for (int i = 0; i < 6; i++)
         number[i] = dot_square(c->square, map->column[first[i]], map->column[second[i]]);
@@ -88,6 +90,7 @@ static bool add_quadric(const pov_convex *c, const own_map *map, double *to)
     number[9] = dot_square(c->square, map->from, map->from) + 2.0 * pov_dot(c->linear, map->from) + c->constant;
     for (int i = 0; i < QUADRIC_NUMBERS; i++)
         largest = fmax(largest, fabs(number[i]));
+    known = terms < most_cancelled * largest;
     for (int i = 0; i < QUADRIC_NUMBERS; i++) {
         to[i * FOUR] = number[i] / largest;
         known = known && to[i * FOUR] >= -1.0 && to[i * FOUR] <= 1.0;
@@ -103,25 +106,25 @@ static void fill_up(csg_outline *of, double *slabs, double *quadrics, uint32_t s
 
         to[3 * FOUR] = -1.0;
         to[4 * FOUR] = 1.0;
-        of->slab_of[i] = CSG_FEW;
+        of->slab_of[i] = CSG_COLUMNS;
     }
     for (uint32_t i = quadric_count; i < of->quadrics; i++) {
         double *to = numbers_of(quadrics, QUADRIC_NUMBERS, i);
 
         to[0] = to[FOUR] = to[2 * FOUR] = to[9 * FOUR] = 1.0;
-        of->quadric_of[i] = CSG_FEW;
+        of->quadric_of[i] = CSG_COLUMNS;
     }
 }
 
-static bool add_all(const csg_tree *t, const pov_convex *all, csg_outline *of)
+static bool add_all(const csg_tree *t, const pov_outline *all, csg_outline *of)
 {
     double *slabs = of->numbers, *quadrics = of->numbers + SLAB_NUMBERS * of->slabs;
     uint32_t s = 0, q = 0;
 
-    for (uint32_t i = 0; i < t->few.count; i++) {
+    for (uint32_t i = 0; i < of->count; i++) {
         own_map map;
 
-        if (!find_map(&t->members[t->chords.member[i]], &all[i], of, &map))
+        if (!find_map(&t->members[of->member[i]], &all[i], of, &map))
             return false;
         for (uint32_t k = 0; k < all[i].slabs; k++, s++) {
             of->slab_of[s] = (uint8_t)i;
@@ -139,56 +142,123 @@ static bool add_all(const csg_tree *t, const pov_convex *all, csg_outline *of)
     return true;
 }
 
+/* The columns: false: there are too many, or members that no outline can tell of. */
+static bool find_columns(const csg_tree *t, csg_outline *of)
+{
+    if (t->chords.all) {
+        of->count = t->few.count;
+        memcpy(of->member, t->chords.member, sizeof t->chords.member);
+        return true;
+    }
+    for (uint32_t i = 0; i < t->member_count; i++) {
+        const csg_member *m = &t->members[i];
+
+        if (m->absent)
+            continue;
+        if (m->patch || of->count == CSG_COLUMNS)
+            return false;
+        of->hidden |= (uint32_t)m->hidden << of->count;
+        of->member[of->count++] = i;
+    }
+    return t->boxed && !t->empty;
+}
+
+/* What the classes know of the columns. */
+static bool ask_columns(const csg_tree *t, csg_outline *of, pov_outline *all)
+{
+    for (uint32_t i = 0; i < of->count; i++) {
+        const csg_member *m = &t->members[of->member[i]];
+
+        if (!m->shape->outline || m->open || !m->shape->outline(m->instance, &all[i]))
+            return false;
+        of->bare |= (uint32_t)(all[i].round && all[i].slabs == 0) << i;
+        of->slabs += all[i].slabs;
+        of->quadrics += all[i].round;
+    }
+    of->slabs = (of->slabs + FOUR - 1) / FOUR * FOUR;
+    of->quadrics = (of->quadrics + FOUR - 1) / FOUR * FOUR;
+    return true;
+}
+
+/* So many sets of columns have their value in a table. */
+enum { TABLE_COLUMNS = 8 };
+
+static size_t table_size(const csg_tree *t, const csg_outline *of)
+{
+    return t->chords.all || of->count > TABLE_COLUMNS ? 0 : (size_t)1 << of->count;
+}
+
+/* Values for all sets of columns, each one that differs from one before it in a single column. False: no memory. */
+static bool find_values(const csg_tree *t, const env *e, csg_outline *of, uint32_t count)
+{
+    csg_state *states = env_alloc(e, t->node_count, sizeof *states);
+    uint8_t *inside = env_alloc(e, t->member_count, sizeof *inside);
+    const bool done = states && inside;
+    uint32_t set = 0;
+
+    if (done)
+        memcpy(states, t->outside, t->node_count * sizeof *states);
+    for (uint32_t i = 1; done; i++) {
+        of->values[set] = (uint8_t)states[0].value;
+        if (i == count)
+            break;
+        csg_flip(t, states, inside, of->member[first_of(i)]);
+        set ^= i & (0u - i);
+    }
+    env_free(e, states);
+    env_free(e, inside);
+    return done;
+}
+
 bool csg_find_outline(csg_tree *t, const env *e)
 {
-    pov_convex all[CSG_FEW];
+    pov_outline all[CSG_COLUMNS];
     const pov_vec3 extent = pov_sub(t->box.hi, t->box.lo);
     csg_outline of = { .centre = pov_add(t->box.lo, pov_scale(extent, 0.5)), .size = 0.5 * pov_largest(extent) };
+    size_t numbers;
 
     of.per_size = 1.0 / of.size;
-    if (!t->chords.all || !(of.per_size > 1e-100 && of.per_size < 1e100))
+    if (!(of.per_size > 1e-100 && of.per_size < 1e100) || !find_columns(t, &of) || !ask_columns(t, &of, all))
         return true;
-    for (uint32_t i = 0; i < t->few.count; i++) {
-        const csg_member *m = &t->members[t->chords.member[i]];
-
-        if (!m->shape->convex || m->open || !m->shape->convex(m->instance, &all[i]))
-            return true;
-        of.slabs += all[i].slabs;
-        of.quadrics += all[i].round;
-    }
-    of.slabs = (of.slabs + FOUR - 1) / FOUR * FOUR;
-    of.quadrics = (of.quadrics + FOUR - 1) / FOUR * FOUR;
-    t->outline = env_alloc(e, 1, sizeof of + (SLAB_NUMBERS * of.slabs + QUADRIC_NUMBERS * of.quadrics) * sizeof(double));
+    numbers = SLAB_NUMBERS * of.slabs + QUADRIC_NUMBERS * of.quadrics;
+    t->outline = env_alloc(e, 1, sizeof of + numbers * sizeof(double) + table_size(t, &of));
     if (!t->outline)
         return false;
     *t->outline = of;
     if (!add_all(t, all, t->outline)) {
         env_free(e, t->outline);
         t->outline = NULL;
+        return true;
     }
-    return true;
+    if (table_size(t, &of) == 0)
+        return true;
+    t->outline->values = (uint8_t *)(t->outline->numbers + numbers);
+    return find_values(t, e, t->outline, (uint32_t)table_size(t, &of));
 }
 
 /* ---- a ray ---- */
 
-/* A ray in the tree's units, from the point that is nearest to the tree's middle, with a unit vector. It starts at `start`. */
-typedef struct near_ray { pov_vec3 at, along; double start, per_unit; } near_ray;
+/* A ray in the tree's units, from the point that is nearest to the tree's middle, with a unit vector. */
+typedef struct near_ray { pov_vec3 at, along; } near_ray;
 
 /* False: it comes from too far away. */
-static bool come_near(const csg_outline *of, const pov_ray *ray, near_ray *out)
+static bool come_near(const csg_outline *of, const pov_ray *ray, near_ray *out, csg_intervals *io)
 {
     const pov_vec3 from = pov_scale(pov_sub(ray->org, of->centre), of->per_size);
     const double length = sqrt(pov_dot(ray->dir, ray->dir)), inverse = 1.0 / length;
 
     out->along = pov_scale(ray->dir, inverse);
-    out->start = pov_dot(from, out->along);
-    out->at = pov_sub(from, pov_scale(out->along, out->start));
-    out->per_unit = inverse * of->size;
+    io->start = pov_dot(from, out->along);
+    out->at = pov_sub(from, pov_scale(out->along, io->start));
+    io->per_unit = inverse * of->size;
     return pov_largest(from) < farthest && length > 1e-100 && length < 1e100;
 }
 
 /* By slab and quadric: where a ray is within; a number other than 0 where that is open. */
-typedef struct stretches { SIMD_ALIGNED double in[SLABS + QUADRICS], out[SLABS + QUADRICS], open[SLABS + QUADRICS]; } stretches;
+typedef struct stretches {
+    SIMD_ALIGNED double in[SLABS + QUADRICS], out[SLABS + QUADRICS], open[SLABS + QUADRICS];
+    SIMD_ALIGNED double square[QUADRICS];   /* of quadrics: below zero a ray is within where it is not between */
+} stretches;
 
 SIMD_INLINE void cross_slabs(const double *restrict number, pov_vec3 p, pov_vec3 d, double *restrict in, double *restrict out,
                              double *restrict open)
@@ -207,7 +277,7 @@ SIMD_INLINE void cross_slabs(const double *restrict number, pov_vec3 p, pov_vec3
 }
 
 SIMD_INLINE void cross_quadrics(const double *restrict number, pov_vec3 p, pov_vec3 d, double *restrict in, double *restrict out,
-                                double *restrict open)
+                                double *restrict open, double *restrict square)
 {
     for (uint32_t i = 0; i < FOUR; i++) {
         const double *of = number + i;
@@ -217,12 +287,14 @@ SIMD_INLINE void cross_quadrics(const double *restrict number, pov_vec3 p, pov_v
         const double px = xx * p.x + xy * p.y + xz * p.z, py = xy * p.x + yy * p.y + yz * p.z, pz = xz * p.x + yz * p.y + zz * p.z;
         const double a = dx * d.x + dy * d.y + dz * d.z, b = dx * p.x + dy * p.y + dz * p.z + lx * d.x + ly * d.y + lz * d.z;
         const double c = (px + 2.0 * lx) * p.x + (py + 2.0 * ly) * p.y + (pz + 2.0 * lz) * p.z + of[9 * FOUR];
-        const double within = b * b - a * c, root = sqrt(within > 0.0 ? within : 0.0), inverse = 1.0 / (a > least_square ? a : 1.0);
+        const double within = b * b - a * c, root = sqrt(within > 0.0 ? within : 0.0), size = fabs(a);
+        const double inverse = 1.0 / (size > least_square ? size : 1.0), middle = (a > 0.0 ? -b : b) * inverse;
         const double missed = within < -least_miss ? HUGE_VAL : 0.0;
 
-        in[i] = (-b - root) * inverse + missed;
-        out[i] = (-b + root) * inverse - missed;
-        open[i] = a > least_square && (root * a > least_chord || missed > 0.0) ? 0.0 : 1.0;
+        in[i] = middle - root * inverse + missed;
+        out[i] = middle + root * inverse - missed;
+        open[i] = size > least_square && (root * size > least_chord || missed > 0.0) ? 0.0 : 1.0;
+        square[i] = a;
     }
 }
 
@@ -233,43 +305,65 @@ SIMD_CLONES static void cross_all(const csg_outline *of, pov_vec3 p, pov_vec3 d,
     for (uint32_t i = 0; i < of->slabs; i += FOUR)
         cross_slabs(of->numbers + SLAB_NUMBERS * i, p, d, s->in + i, s->out + i, s->open + i);
     for (uint32_t i = 0, k = of->slabs; i < of->quadrics; i += FOUR, k += FOUR)
-        cross_quadrics(quadrics + QUADRIC_NUMBERS * i, p, d, s->in + k, s->out + k, s->open + k);
+        cross_quadrics(quadrics + QUADRIC_NUMBERS * i, p, d, s->in + k, s->out + k, s->open + k, s->square + i);
 }
 
 /* ---- the members' intervals ---- */
 
-typedef struct intervals { double in[CSG_FEW + 1], out[CSG_FEW + 1]; } intervals;
-
 static bool is_near(double a, double b) { return fabs(a - b) <= margin; }
 
 /* False: open. */
-static bool gather(const csg_outline *of, const near_ray *k, uint32_t columns, intervals *io)
+static bool gather(const csg_outline *of, const near_ray *k, csg_intervals *io)
 {
-    const uint32_t count = of->slabs + of->quadrics;
+    const uint32_t slabs = of->slabs;
     double open = 0.0;
     stretches s;
 
     cross_all(of, k->at, k->along, &s);
-    for (uint32_t i = 0; i < columns; i++) {
+    for (uint32_t i = 0; i < of->count; i++) {
         io->in[i] = -HUGE_VAL;
         io->out[i] = HUGE_VAL;
     }
-    for (uint32_t i = 0; i < count; i++) {
-        const uint32_t c = i < of->slabs ? of->slab_of[i] : of->quadric_of[i - of->slabs];
+    io->outside = 0;
+    for (uint32_t i = 0; i < slabs + of->quadrics; i++) {
+        const uint32_t c = i < slabs ? of->slab_of[i] : of->quadric_of[i - slabs];
 
-        if (c == CSG_FEW)
+        if (c == CSG_COLUMNS)
             continue;
         io->in[c] = s.in[i] > io->in[c] ? s.in[i] : io->in[c];
         io->out[c] = s.out[i] < io->out[c] ? s.out[i] : io->out[c];
         open += s.open[i];
+        io->outside |= (uint32_t)(i >= slabs && s.square[i - slabs] < 0.0) << c;
     }
-    return open == 0.0;
+    return open == 0.0 && !(io->outside & ~of->bare);
+}
+
+bool csg_outline_cross(const csg_outline *of, const pov_ray *ray, csg_intervals *out)
+{
+    near_ray k;
+
+    return come_near(of, ray, &k, out) && gather(of, &k, out);
+}
+
+uint32_t csg_outline_column(const csg_traversal *w)
+{
+    const csg_outline *of = w->tree->outline;
+    const uint32_t from = csg_which(w, w->ray->origin_surface);
+    uint32_t i = 0;
+
+    if (from >= w->tree->member_count)
+        return CSG_COLUMNS;
+    while (i < of->count && of->member[i] != from)
+        i++;
+    return i < of->count ? i : CSG_COLUMNS;
 }
 
 /* A member that is never entered ahead has the interval from infinity to minus infinity, one that the ray starts in begins at
  * minus infinity. `from`: the column that the ray starts on the surface of. False: open. */
-static bool begin(double start, uint32_t columns, uint32_t from, intervals *io)
+static bool begin(uint32_t columns, uint32_t from, csg_intervals *io)
 {
+    const double start = io->start;
+
     for (uint32_t i = 0; i < columns; i++) {
         const bool enters = is_near(io->in[i], start), leaves = is_near(io->out[i], start);
 
@@ -289,7 +383,7 @@ static bool begin(double start, uint32_t columns, uint32_t from, intervals *io)
 /* ---- the first crossing ---- */
 
 /* Which crossing is it, if no other one is near? */
-static csg_found find_end(const intervals *of, uint32_t columns, double at, csg_first *out)
+static csg_found find_end(const csg_intervals *of, uint32_t columns, double at, csg_first *out)
 {
     uint32_t times = 0;
 
@@ -304,7 +398,7 @@ static csg_found find_end(const intervals *of, uint32_t columns, double at, csg_
 }
 
 /* The end of the hollows that hold the ray at `*at`. False: open. */
-static bool leave_hollows(const intervals *of, uint32_t hollows, double *at)
+static bool leave_hollows(const csg_intervals *of, uint32_t hollows, double *at)
 {
     for (uint32_t rest = hollows; rest; ) {
         const uint32_t i = first_of(rest);
@@ -323,7 +417,7 @@ static bool leave_hollows(const intervals *of, uint32_t hollows, double *at)
     return true;
 }
 
-static double find_exit(const intervals *of, uint32_t hollows, double leave)
+static double find_exit(const csg_intervals *of, uint32_t hollows, double leave)
 {
     for (; hollows; hollows &= hollows - 1) {
         const double in = of->in[first_of(hollows)];
@@ -334,7 +428,7 @@ static double find_exit(const intervals *of, uint32_t hollows, double leave)
 }
 
 /* A ray that is never within all members that are no complements, or within hollows until it leaves these: nothing. */
-static csg_found find(const csg_tree *t, const intervals *of, const near_ray *k, double most, csg_first *out)
+static csg_found find(const csg_tree *t, const csg_intervals *of, double most, csg_first *out)
 {
     const uint32_t hollows = t->chords.all & ~t->chords.within;
     double enter = -HUGE_VAL, leave = HUGE_VAL, at;
@@ -344,28 +438,27 @@ static csg_found find(const csg_tree *t, const intervals *of, const near_ray *k,
         enter = fmax(enter, of->in[first_of(left)]);
         leave = fmin(leave, of->out[first_of(left)]);
     }
-    if (enter > leave + margin || (enter - k->start - margin) * k->per_unit > most)
+    if (enter > leave + margin || (enter - of->start - margin) * of->per_unit > most)
         return CSG_NOTHING;
-    at = enter > -HUGE_VAL ? enter : k->start;
+    at = enter > -HUGE_VAL ? enter : of->start;
     if (enter > leave - margin || !leave_hollows(of, hollows, &at))
         return CSG_OPEN;
     if (at > leave - margin)
         return at > leave + margin ? CSG_NOTHING : CSG_OPEN;
-    if (at == k->start)
+    if (at == of->start)
         at = find_exit(of, hollows, leave);
     found = find_end(of, t->few.count, at, out);
-    out->t = (at - k->start) * k->per_unit;
-    out->off = margin * k->per_unit;
+    out->t = (at - of->start) * of->per_unit;
+    out->off = margin * of->per_unit;
     out->inward = out->enters == (t->chords.within >> out->column & 1);
     return found;
 }
 
 csg_found csg_outline_first(const csg_tree *t, const pov_ray *ray, uint32_t from, double most, csg_first *out)
 {
-    near_ray k;
-    intervals of;
+    csg_intervals of;
 
-    if (!come_near(t->outline, ray, &k) || !gather(t->outline, &k, t->few.count, &of) || !begin(k.start, t->few.count, from, &of))
+    if (!csg_outline_cross(t->outline, ray, &of) || !begin(t->few.count, from, &of))
         return CSG_OPEN;
-    return find(t, &of, &k, most, out);
+    return find(t, &of, most, out);
 }

@@ -25,7 +25,8 @@ typedef struct csg_traversal {
 } csg_traversal;
 
 void csg_traversal_init(csg_traversal *w, const csg_tree *tree, const pov_ray *ray, const pov_hits *hits);
-/* False: the ray passes the tree before tmax. */
+/* False: the ray passes the tree's box; or the tree before tmax. */
+bool csg_traversal_hits_box(csg_traversal *w);
 bool csg_traversal_enters(csg_traversal *w, const pov_hits *hits);
 /* Where the ray enters and leaves the boxes of few members. */
 void csg_enter_few(const csg_traversal *w, double *enter, double *leave);
@@ -60,7 +61,7 @@ bool csg_chords_first(csg_traversal *w, pov_hits *hits);
 /* The same of a surface that convex solids clip. */
 bool csg_clipped_first(csg_traversal *w, pov_hits *hits);
 /* Which crossing of a tree with an outline is the first that is not beyond `most`? `from`: the column that the ray starts on, or
- * CSG_FEW. */
+ * CSG_COLUMNS. */
 typedef enum csg_found { CSG_NOTHING, CSG_CROSSED, CSG_OPEN } csg_found;
 typedef struct csg_first {
     uint32_t column;
@@ -68,6 +69,31 @@ typedef struct csg_first {
     double t, off;               /* about where, and by how much less than this that may be off */
 } csg_first;
 csg_found csg_outline_first(const csg_tree *t, const pov_ray *ray, uint32_t from, double most, csg_first *out);
+/* The column of an outline that the ray starts on, or CSG_COLUMNS. */
+uint32_t csg_outline_column(const csg_traversal *w);
+/* Where any crossing will do, and one certainly lies before the end, its distance need not be known. */
+static inline bool csg_first_is_enough(const csg_first *f, const pov_hits *hits)
+{
+    return hits->want == POV_WANT_ANY && f->t + f->off < hits->tmax - hits->slack;
+}
+
+/* Crossings are where an outline has them within half of this, in units of the tree's size. */
+#define CSG_OUTLINE_MARGIN 0x1p-20
+/* A ray in these units, and by column where it crosses: infinity and minus infinity if it does not. The ray is inside between the two,
+ * or else, where a bit of `outside` is set. */
+typedef struct csg_intervals {
+    double start, per_unit;      /* a distance of the ray is (place - start) per_unit */
+    uint32_t outside;
+    double in[CSG_COLUMNS], out[CSG_COLUMNS];
+} csg_intervals;
+/* False: open. */
+bool csg_outline_cross(const csg_outline *of, const pov_ray *ray, csg_intervals *out);
+/* As csg_chords_first() of any tree with an outline. */
+bool csg_sweep_first(csg_traversal *w, pov_hits *hits);
+/* Ask a member for its crossings, and count that. */
+void csg_intersect_member(const csg_traversal *w, const csg_member *m, pov_hits *found);
+/* Is a crossing that was found in double-double in the place that the ray starts from, and so behind it? */
+bool csg_is_behind(const csg_traversal *w, const pov_crossing *at);
 /* Is a point of the ray inside a member? */
 bool csg_member_holds(const csg_traversal *w, const csg_member *m, double t);
 

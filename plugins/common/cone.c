@@ -175,12 +175,12 @@ bool common_cone_bounds(const void *self, pov_box *out)
 }
 
 /* Of the local coordinates x, y, z: x^2 + y^2 - (radius + slope z)^2 <= 0 within 0 <= z <= height. */
-bool common_cone_convex(const void *self, pov_convex *out)
+bool common_cone_outline(const void *self, pov_outline *out)
 {
     const common_cone *s = self;
     const double steep = s->slope.hi, radius = s->radius.hi;
     pov_vec3 row[3];
-    pov_convex c = { .centre = pov_two3_hi(s->anchor), .slabs = 1, .constant = -radius * radius, .round = true };
+    pov_outline c = { .centre = pov_two3_hi(s->anchor), .slabs = 1, .constant = -radius * radius, .round = true };
 
     for (int i = 0; i < 3; i++)
         row[i] = pov_scale(pov_two3_hi(s->row[i]), s->scale);

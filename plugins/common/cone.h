@@ -42,7 +42,7 @@ void common_cone_normal_many(const void *const *selves, const pov_ray *const *ra
 bool common_cone_inside(const void *self, pov_vec3 point, pov_vec3 point_lo);
 bool common_cone_absorb(void *self, const pov_affine *map);
 bool common_cone_open(const void *self);
-bool common_cone_convex(const void *self, pov_convex *out);
+bool common_cone_outline(const void *self, pov_outline *out);
 
 /* ---- blocks ---- */
 

@@ -371,3 +371,27 @@ bool common_quadric_half_space(const void *self, pov_half_space *out)
     out->distance = pov_dot(out->normal, pov_two3_hi(s->anchor)) - s->q[J].hi / (length * s->scale);
     return isfinite(out->distance);
 }
+
+bool common_quadric_outline(const void *self, pov_outline *out)
+{
+    const common_quadric *s = self;
+    const double *q = s->approx, second = s->scale * s->scale, first = 0.5 * s->scale;
+    pov_outline o = { .centre = pov_two3_hi(s->anchor), .constant = q[J], .round = true };
+    pov_half_space h;
+
+    if (s->planar) {
+        const pov_outline slab = { .lo = { -HUGE_VAL }, .slabs = 1 };
+
+        *out = slab;
+        if (!common_quadric_half_space(self, &h))
+            return false;
+        out->normal[0] = h.normal;
+        out->hi[0] = h.distance;
+        return true;
+    }
+    for (int i = 0; i < 6; i++)
+        o.square[i] = (i < 3 ? 1.0 : 0.5) * second * q[A + i];
+    o.linear = pov_scale(pov_vec3_of(q[G], q[H], q[I]), first);
+    *out = o;
+    return s->whole && !s->stiff;
+}

@@ -31,6 +31,7 @@ bool common_quadric_bounds(const common_quadric *s, pov_box *out);
 /* The same of the class's member. */
 bool common_quadric_ellipsoid(const common_quadric *s, pov_ellipsoid *out);
 bool common_quadric_half_space(const void *self, pov_half_space *out);
+bool common_quadric_outline(const void *self, pov_outline *out);
 uint32_t common_quadric_hull(const void *self, const pov_half_space *within, uint32_t n, pov_half_space *out);
 /* False: the map changes angles too much, and s is unchanged. */
 bool common_quadric_absorb(common_quadric *s, const pov_affine *map);

@@ -519,11 +519,11 @@ static void uv(const void *self, pov_vec3 point, const pov_mark *mark, double ou
     out[1] = rows[mark->feature % 6] / 3.0;
 }
 
-static bool convex(const void *self, pov_convex *out)
+static bool outline(const void *self, pov_outline *out)
 {
     const pov_two *p = ((const box *)self)->plane;
     const pov_vec3 zero = { 0.0, 0.0, 0.0 };
-    pov_convex c = { .centre = zero, .normal = { { 1.0, 0.0, 0.0 }, { 0.0, 1.0, 0.0 }, { 0.0, 0.0, 1.0 } }, .slabs = 3 };
+    pov_outline c = { .centre = zero, .normal = { { 1.0, 0.0, 0.0 }, { 0.0, 1.0, 0.0 }, { 0.0, 0.0, 1.0 } }, .slabs = 3 };
 
     for (int i = 0; i < 3; i++) {
         c.lo[i] = p[2 * i].hi;
@@ -541,7 +541,7 @@ static const pov_shape_fast box_fast = {
     .block_filter = common_box_filter,
     .intersect_many = intersect_many,
     .cross_many = cross_many,
-    .convex = convex,
+    .outline = outline,
 };
 
 static const void *extension(const char *name) { return common_is_fast(name) ? &box_fast : NULL; }

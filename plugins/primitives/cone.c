@@ -26,7 +26,7 @@ static const pov_shape_fast cone_fast = {
     .block_filter = common_cone_filter,
     .intersect_many = common_cone_intersect_many,
     .normal_many = common_cone_normal_many,
-    .convex = common_cone_convex,
+    .outline = common_cone_outline,
 };
 
 static const void *extension(const char *name) { return common_is_fast(name) ? &cone_fast : NULL; }

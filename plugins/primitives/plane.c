@@ -55,6 +55,7 @@ static const pov_shape_fast plane_fast = {
     .block_filter = common_quadric_filter,
     .intersect_many = common_plane_intersect_pairs,
     .half_space = common_quadric_half_space,
+    .outline = common_quadric_outline,
 };
 
 static const void *extension(const char *name) { return common_is_fast(name) ? &plane_fast : NULL; }

@@ -37,6 +37,7 @@ static const pov_shape_fast quadric_fast = {
     .ellipsoid = ellipsoid,
     .half_space = common_quadric_half_space,
     .hull = common_quadric_hull,
+    .outline = common_quadric_outline,
 };
 
 static const void *extension(const char *name) { return common_is_fast(name) ? &quadric_fast : NULL; }

@@ -85,12 +85,12 @@ static void uv(const void *self, pov_vec3 point, const pov_mark *mark, double ou
     out[1] = 0.5 + 2.0 * common_turn(p.y, sqrt(p.x * p.x + p.z * p.z));
 }
 
-static bool convex(const void *self, pov_convex *out)
+static bool outline(const void *self, pov_outline *out)
 {
     const common_sphere *s = self;
     const pov_vec3 zero = { 0.0, 0.0, 0.0 };
     const double inverse = 1.0 / (s->radius.hi * s->radius.hi);
-    const pov_convex c = { .centre = pov_two3_hi(s->centre), .square = { inverse, inverse, inverse, 0.0, 0.0, 0.0 },
+    const pov_outline c = { .centre = pov_two3_hi(s->centre), .square = { inverse, inverse, inverse, 0.0, 0.0, 0.0 },
                            .constant = -1.0, .linear = zero, .round = true };
 
     *out = c;
@@ -105,7 +105,7 @@ static const pov_shape_fast sphere_fast = {
     .block_filter = common_sphere_filter,
     .intersect_many = common_sphere_intersect_many,
     .normal_many = common_sphere_normal_many,
-    .convex = convex,
+    .outline = outline,
 };
 
 static const void *extension(const char *name) { return common_is_fast(name) ? &sphere_fast : NULL; }

@@ -1,5 +1,6 @@
-/* test_csg_outline.c - solids of few convex members, moved, turned and stretched: the first crossing that their outlines find
- * against the walk in double-double, which does not know them. */
+/* test_csg_outline.c - solids of few members, moved, turned and stretched: the first crossing that their outlines find against the walk
+ * in double-double, which does not know them. Of convex members and complements of such, and of planes and quadrics too in unions,
+ * intersections, differences and clips within each other. */
 #include "query/context.h"   /* before probe.h, whose name for a kind it uses for a parameter */
 
 #include "numerics/families.h"
@@ -12,7 +13,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { MOST = 6, RAYS_OF_A_TREE = 200 };
+enum { MOST = 6, MEMBERS_MOST = 18, RAYS_OF_A_TREE = 200 };
 
 #define U families_uniform
 
@@ -23,6 +24,7 @@ typedef struct scene {
     model model;
     pov_reader *in;
     const transform *map;        /* of most members: then faces of theirs lie on each other */
+    bool endless;                /* planes and quadrics too */
     side filtered, exact;
 } scene;
 typedef struct tally { long rays, hits, blocked; } tally;
@@ -39,8 +41,28 @@ static void put_end(probe *p)
 
     for (int i = 0; i < 3; i++)
         to[i] = p->number[i] + (p->kind == BOX ? U() < 0.5 ? 0.5 : 0.2 + U() : upright ? 0.0 : coordinate());
-    if (upright)
+    if (upright || memcmp(to, p->number, 3 * sizeof *to) == 0)
         to[below(3)] += U() < 0.7 ? 0.5 : U() + 0.2;
+}
+
+/* A plane through the middle or near it, or a quadric of any kind. */
+static void make_endless(probe *p)
+{
+    const pov_vec3 n = families_direction();
+
+    p->number[0] = n.x, p->number[1] = n.y, p->number[2] = n.z;
+    if (U() < 0.6) {
+        memset(p->number, 0, 3 * sizeof *p->number);
+        p->number[below(3)] = U() < 0.5 ? -1.0 : 1.0;
+    }
+    p->number[3] = 0.5 * coordinate();
+    if (p->kind == PLANE)
+        return;
+    for (int i = 0; i < 9; i++)
+        p->number[i] = i < 3 ? 2.0 * U() - 0.7 : U() < 0.6 ? 0.0 : 0.5 * coordinate();
+    if (U() < 0.3)
+        p->number[below(3)] = 0.0;
+    p->number[9] = -U();
 }
 
 static void make_probe(probe *p)
@@ -79,6 +101,19 @@ static const transform *make_map(model *m)
     return test_transform(m, t, TRANSFORM_TRANSLATE, 0.5 * coordinate(), 0.5 * coordinate(), 0.5 * coordinate());
 }
 
+static void make_any(const scene *s, probe *p)
+{
+    if (!s->endless || U() < 0.6) {
+        make_probe(p);
+        return;
+    }
+    memset(p, 0, sizeof *p);
+    p->kind = U() < 0.5 ? PLANE : QUADRIC;
+    p->count = p->kind == PLANE ? 4 : 10;
+    p->size = 1.0;
+    make_endless(p);
+}
+
 static node_ref add_member(scene *s)
 {
     shape_class written;
@@ -86,7 +121,7 @@ static node_ref add_member(scene *s)
     probe p;
     void *self;
 
-    make_probe(&p);
+    make_any(s, &p);
     shape = fake_reader_shape(probe_keyword(p.kind));
     written = *shape;
     self = fake_reader_memory(s->in, shape->instance_size + shape->parsed_size);
@@ -94,7 +129,7 @@ static node_ref add_member(scene *s)
         written.instance_size = shape->parsed_size;
     written.prepare = NULL;
     assert_true(probe_make(&p, &written, s->in, self));
-    return test_add(&s->model, shape, self, U() < 0.6 ? s->map : make_map(&s->model), 0, 0);
+    return test_add(&s->model, shape, self, U() < 0.6 ? s->map : make_map(&s->model), 0, s->endless && U() < 0.1 ? LEAF_INVERSE : 0);
 }
 
 static void make_tree(scene *s)
@@ -110,6 +145,36 @@ static void make_tree(scene *s)
     for (uint32_t i = within; i < n; i++)
         children[1 + i - within] = add_member(s);
     assert_true(model_add_group(&s->model, &all, children, 1 + n - within, &root));
+    assert_true(model_add_tree(&s->model, root));
+}
+
+/* A member, or a group of up to three nodes. */
+static node_ref add_any(scene *s, int depth)
+{
+    static const node_op ops[] = { NODE_UNION, NODE_MERGE, NODE_INTERSECTION, NODE_DIFFERENCE, NODE_CLIP };
+    const uint32_t n = 2 + below(2);
+    group_node g = { .op = ops[below(5)], .inverse = U() < 0.1, .line = 1, .column = 1 };
+    node_ref children[3], group;
+
+    if (depth == 0 || s->model.leaves.count + n > MEMBERS_MOST || U() < 0.2)
+        return add_member(s);
+    for (uint32_t i = 0; i < n; i++)
+        children[i] = add_any(s, depth - 1);
+    assert_true(model_add_group(&s->model, &g, children, n, &group));
+    return group;
+}
+
+/* Within a convex member, so that it has a box. */
+static void make_any_tree(scene *s)
+{
+    group_node all = { .op = U() < 0.5 ? NODE_INTERSECTION : NODE_CLIP, .line = 1, .column = 1 };
+    node_ref children[2], root;
+
+    s->endless = true;
+    children[0] = add_any(s, 3);
+    s->endless = false;
+    children[1] = add_member(s);
+    assert_true(model_add_group(&s->model, &all, children, 2, &root));
     assert_true(model_add_tree(&s->model, root));
 }
 
@@ -186,11 +251,12 @@ static void ask(const scene *s, tally *out)
     }
 }
 
-static void outlines_find_what_the_walk_finds(void **state)
+typedef void make_tree_fn(scene *s);
+
+static tally ask_all(make_tree_fn *make)
 {
     tally all = { 0, 0, 0 };
 
-    (void)state;
     families_seed(20261125);
     while (all.rays < rays) {
         scene s;
@@ -199,7 +265,7 @@ static void outlines_find_what_the_walk_finds(void **state)
         test_model_init(&s.model, NULL);
         s.in = fake_reader_create();
         s.map = make_map(&s.model);
-        make_tree(&s);
+        make(&s);
         compile(&s.filtered, &s.model, false);
         compile(&s.exact, &s.model, true);
         ask(&s, &all);
@@ -209,12 +275,31 @@ static void outlines_find_what_the_walk_finds(void **state)
         fake_reader_destroy(s.in);
     }
     print_message("%ld rays, %ld hits, %ld blocked\n", all.rays, all.hits, all.blocked);
+    return all;
+}
+
+static void outlines_find_what_the_walk_finds(void **state)
+{
+    const tally all = ask_all(make_tree);
+
+    (void)state;
     assert_true(all.hits > rays / 5 && all.blocked > all.hits / 2);
+}
+
+static void outlines_of_any_nodes_find_what_the_walk_finds(void **state)
+{
+    const tally all = ask_all(make_any_tree);
+
+    (void)state;
+    assert_true(all.hits > rays / 10 && all.blocked > all.hits / 2);
 }
 
 int main(int argc, char **argv)
 {
-    const struct CMUnitTest tests[] = { cmocka_unit_test(outlines_find_what_the_walk_finds) };
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(outlines_find_what_the_walk_finds),
+        cmocka_unit_test(outlines_of_any_nodes_find_what_the_walk_finds),
+    };
 
     if (argc > 1)
         rays = strtol(argv[1], NULL, 10);

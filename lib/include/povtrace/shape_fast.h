@@ -54,16 +54,17 @@ typedef struct pov_ellipsoid { pov_vec3 centre, centre_lo, row[3]; } pov_ellipso
 typedef struct pov_half_space { pov_vec3 normal; double distance; } pov_half_space;
 enum { POV_HULL_MAX = 6 };
 
-/* A bounded convex solid: what slabs, each of lo <= normal . w <= hi, and a quadric have in common, w from the centre. The quadric
- * is w . (square w) + 2 linear . w + constant <= 0, its square by xx, yy, zz, xy, xz, yz. Normals need not be unit vectors. All
- * may be rounded: surfaces are where they are within 2^-44 of the solid's size and of the centre's distance from the origin. */
-typedef struct pov_convex {
+/* A solid: what slabs, each of lo <= normal . w <= hi, and a quadric have in common, w from the centre. The quadric is
+ * w . (square w) + 2 linear . w + constant <= 0, its square by xx, yy, zz, xy, xz, yz. Normals need not be unit vectors. All may be
+ * rounded: surfaces of a bounded convex solid are where they are within 2^-44 of its size and of the centre's distance from the
+ * origin. A half-space, by a slab with an infinite end, and a quadric are off by as much for points and a centre of that size. */
+typedef struct pov_outline {
     pov_vec3 centre, normal[3];
     double lo[3], hi[3], square[6], constant;
     pov_vec3 linear;
     uint32_t slabs;
     bool round;                  /* it has a quadric */
-} pov_convex;
+} pov_outline;
 
 typedef struct pov_shape_fast {
     uint32_t size;
@@ -97,7 +98,7 @@ typedef struct pov_shape_fast {
     /* [load] Up to POV_HULL_MAX half-spaces that hold the part of an infinite solid that lies within the n given ones. */
     uint32_t (*hull)(const void *self, const pov_half_space *within, uint32_t n, pov_half_space *out);
     /* [load] Is it such a solid? Solids made of several then look for a ray's crossing in all side by side. */
-    bool (*convex)(const void *self, pov_convex *out);
+    bool (*outline)(const void *self, pov_outline *out);
     /* [render] As intersect() for POV_WANT_ALL, where the interval comes from the scene around the shape and depends on nothing but the
      * ray: it may shorten the search, and last bits of crossings may depend on it. */
     void (*intersect_between)(const void *self, const pov_ray *ray, pov_hits *hits);
