@@ -1,8 +1,8 @@
-/* relief.h - the cells of a grid of heights over the unit square that a ray may meet.
+/* relief.h - the cells of a grid of heights over the unit square that a ray may hit.
  *
  * Squares of four times four cells, and of four times four such squares, know the least and the greatest height in each of their
  * sixteen parts. A ray is held against sixteen parts side by side, in floats that are rounded outward; no step is taken through
- * parts that it cannot meet. */
+ * parts that it cannot hit. */
 #ifndef COMMON_RELIEF_H
 #define COMMON_RELIEF_H
 
@@ -10,13 +10,14 @@
 
 enum { COMMON_RELIEF_SIDE = 4, COMMON_RELIEF_PARTS = 16, COMMON_RELIEF_LEVELS = 8 };
 
-/* Heights in 1/65536 by part, x + 4 z. Of what no ray meets the least is above the greatest. */
-typedef struct common_relief_square { uint16_t low[COMMON_RELIEF_PARTS], high[COMMON_RELIEF_PARTS]; } common_relief_square;
+/* The least heights by part, x + 4 z, and then the greatest, in 1/65536. Of what no ray hits the least is above the greatest. */
+typedef struct common_relief_square { uint16_t height[2 * COMMON_RELIEF_PARTS]; } common_relief_square;
 
 typedef struct common_relief_level { uint32_t wide, deep; const common_relief_square *at; } common_relief_level;
 
 typedef struct common_relief {
     uint32_t wide, deep;         /* corners along x and z */
+    double cell_wide, cell_deep;
     uint32_t levels;
     common_relief_level level[COMMON_RELIEF_LEVELS];   /* of cells first; the last one is a single square */
 } common_relief;
@@ -25,11 +26,11 @@ typedef struct common_relief {
 bool common_relief_make(common_relief *r, const pov_host *host, pov_reader *in, const uint16_t *height, uint32_t wide, uint32_t deep,
                         double water);
 
-/* What is done with a cell and the stretch of the line that may be in it; what lies beyond *to is no longer of interest. False:
- * nothing more is wanted. */
-typedef bool common_relief_visit(void *user, uint32_t x, uint32_t z, common_span part, double *to);
+/* False: nothing more is wanted. */
+typedef bool common_relief_visit(void *user, uint32_t x, uint32_t z);
 
-/* Cells that the line o + t d may meet for t from 0 to `to`, those nearer the start first. The largest component of d is in 1..2. */
+/* Cells that the line o + t d may hit for t from 0 to `to`. Those that it does pass come in the order in which it does. The largest
+ * component of d is in 1..2. */
 void common_relief_search(const common_relief *r, pov_vec3 o, pov_vec3 d, double to, common_relief_visit *visit, void *user);
 
 #endif

@@ -12,21 +12,24 @@ void common_triangle_enter(common_triangle_ray *r, const pov_ray *ray, pov_vec3 
     const pov_vec3 zero = { 0.0, 0.0, 0.0 };
 
     r->about = common_enter(ray, pov_two3_of(pov_scale(anchor, common_inverse(scale)), zero), scale);
-    common_triangle_look(r, ray, anchor, scale, always_exact);
+    common_triangle_place(r, ray, anchor, scale);
+    common_triangle_look(r, always_exact);
 }
 
-void common_triangle_look(common_triangle_ray *r, const pov_ray *ray, pov_vec3 anchor, double scale, bool always_exact)
+void common_triangle_place(common_triangle_ray *r, const pov_ray *ray, pov_vec3 anchor, double scale)
 {
-    double along, speed, size;
-    pov_vec3 w;
-
     r->anchor = anchor;
     r->org = pov_scale(ray->org, scale);
     r->org_lo = pov_scale(ray->org_lo, scale);
-    speed = pov_dot(r->about.d, r->about.d);
-    along = -pov_dot(pov_two3_hi(r->about.f), r->about.d) / speed;
-    size = pov_largest(pov_two3_hi(r->about.f));
-    w = size < near ? pov_add(pov_two3_hi(r->about.f), pov_scale(r->about.d, along)) : common_along(&r->about, along);
+    r->view.exact = r->view.escalated = false;
+}
+
+void common_triangle_look(common_triangle_ray *r, bool always_exact)
+{
+    const double speed = pov_dot(r->about.d, r->about.d), along = -pov_dot(pov_two3_hi(r->about.f), r->about.d) / speed;
+    const double size = pov_largest(pov_two3_hi(r->about.f));
+    const pov_vec3 w = size < near ? pov_add(pov_two3_hi(r->about.f), pov_scale(r->about.d, along)) : common_along(&r->about, along);
+
     r->view = common_view_make(r->org, r->org_lo, &r->about, w, always_exact);
     if (size < near)
         r->view.error += 24.0 * COMMON_U * (size + pov_largest(w));

@@ -17,8 +17,9 @@ typedef struct common_triangle_ray {
 
 void common_triangle_enter(common_triangle_ray *r, const pov_ray *ray, pov_vec3 anchor, double scale,
                            bool always_exact);
-/* The same where `about` is there already. */
-void common_triangle_look(common_triangle_ray *r, const pov_ray *ray, pov_vec3 anchor, double scale, bool always_exact);
+/* The same in two steps where `about` is there already. The first is all that common_triangle_cross() needs, unless all is to be exact. */
+void common_triangle_place(common_triangle_ray *r, const pov_ray *ray, pov_vec3 anchor, double scale);
+void common_triangle_look(common_triangle_ray *r, bool always_exact);
 
 /* A corner as the ray sees it. */
 static inline common_seen common_triangle_see(common_triangle_ray *r, const pov_vec3 *corner)

@@ -155,11 +155,11 @@ typedef struct walk {
     const height_field *f;
     const pov_ray *ray;
     pov_hits *hits;
-    common_triangle_ray through;   /* made for the first cell */
+    common_triangle_ray through;   /* its view is made when it is asked for */
     double base;                 /* where distances are counted from */
     pov_vec3 at, by;             /* where the ray is there and how it goes on, in cells and 1/65536 */
-    double off;                  /* how much a height over a plane may be off, by far */
-    bool from_here, entered;
+    double off, most;            /* how much a height over a plane may be off, by far, infinite if all is to be exact; of a cell and its way */
+    bool from_here, seen;
 } walk;
 
 static pov_vec3 corner(const height_field *f, uint32_t x, uint32_t z)
@@ -172,13 +172,12 @@ static bool is_dry(const height_field *f, const walk *w, double t)
     return f->water <= 0.0 || pov_two_add(pov_two_sum(w->ray->org.y, w->ray->org_lo.y), pov_two_product(t, w->ray->dir.y)).hi >= f->water;
 }
 
-/* One of the two triangles of a cell: its corners, and as the ray sees them. */
-static bool cross_face(walk *w, uint32_t feature, const pov_vec3 *a, common_seen p, const pov_vec3 *b, common_seen q, const pov_vec3 *c,
-                       common_seen s)
+/* One of the two triangles of a cell, which the line of the ray passes through. False: nothing more is wanted. */
+static bool cross_face(walk *w, uint32_t feature, const pov_vec3 *a, const pov_vec3 *b, const pov_vec3 *c)
 {
     pov_mark mark = { feature, 0, 0.0, 0.0 };
 
-    if ((w->from_here && w->ray->origin_mark.feature == feature) || !common_triangle_is_passed(&w->through, a, p, b, q, c, s))
+    if (w->from_here && w->ray->origin_mark.feature == feature)
         return true;
     if (w->f->water > 0.0) {
         pov_hits one = *w->hits;
@@ -194,21 +193,57 @@ static bool cross_face(walk *w, uint32_t feature, const pov_vec3 *a, common_seen
     return common_triangle_cross(&w->through, a, b, c, mark, w->hits);
 }
 
-static bool cross_cell(walk *w, uint32_t x, uint32_t z)
+/* Does the line of the ray pass through a triangle? */
+typedef enum verdict { BESIDE, THROUGH, OPEN } verdict;
+
+/* In double: at t the ray is `above` + t `rise` over the triangle's plane, and at u + t du, v + t dv in it; its sides are u = 0, v = 0
+ * and u + v = 1. Where the ray crosses the plane these are, times `rise`, the three numbers below: it passes on one side of all edges
+ * or on different ones. */
+static inline verdict judge_face(double above, double rise, double u, double v, double du, double dv, double off)
+{
+    const double p = u * rise - above * du, q = v * rise - above * dv, r = rise - p - q;
+    const double least = p < q ? p < r ? p : r : q < r ? q : r, most = p > q ? p > r ? p : r : q > r ? q : r;
+
+    return least < -off && most > off ? BESIDE : least > off || most < -off ? THROUGH : OPEN;
+}
+
+static bool cross_faces(walk *w, uint32_t x, uint32_t z, verdict low, verdict high)
 {
     const height_field *f = w->f;
     const pov_vec3 a = corner(f, x, z), b = corner(f, x + 1, z), c = corner(f, x, z + 1), d = corner(f, x + 1, z + 1);
     const uint32_t feature = 2 * (z * (f->wide - 1) + x);
-    common_seen seen[4];
 
-    if (!w->entered)
-        common_triangle_look(&w->through, w->ray, centre, 1.0, w->hits->always_exact);
-    w->entered = true;
-    seen[0] = common_triangle_see(&w->through, &a);
-    seen[1] = common_triangle_see(&w->through, &b);
-    seen[2] = common_triangle_see(&w->through, &c);
-    seen[3] = common_triangle_see(&w->through, &d);
-    return cross_face(w, feature, &a, seen[0], &b, seen[1], &c, seen[2]) && cross_face(w, feature + 1, &b, seen[1], &d, seen[3], &c, seen[2]);
+    if (low == OPEN || high == OPEN) {
+        common_triangle_ray *r = &w->through;
+        common_seen p, q;
+
+        if (!w->seen)
+            common_triangle_look(r, w->hits->always_exact);
+        w->seen = true;
+        p = common_triangle_see(r, &b);
+        q = common_triangle_see(r, &c);
+        low = common_triangle_is_passed(r, &a, common_triangle_see(r, &a), &b, p, &c, q) ? THROUGH : BESIDE;
+        high = common_triangle_is_passed(r, &b, p, &d, common_triangle_see(r, &d), &c, q) ? THROUGH : BESIDE;
+    }
+    return (low == BESIDE || cross_face(w, feature, &a, &b, &c)) && (high == BESIDE || cross_face(w, feature + 1, &b, &d, &c));
+}
+
+static bool visit_cell(void *user, uint32_t x, uint32_t z)
+{
+    walk *w = user;
+    const uint16_t *h = w->f->height + (size_t)z * w->f->wide + x, *g = h + w->f->wide;
+    const double a = h[0], b = h[1], c = g[0], d = g[1], u = w->at.x - x, v = w->at.z - z, du = w->by.x, dv = w->by.z, p = 1.0 - u, q = 1.0 - v;
+    const double off = w->off * (w->most + fabs(u) + fabs(v));
+    const verdict low = judge_face(w->at.y - a - u * (b - a) - v * (c - a), w->by.y - du * (b - a) - dv * (c - a), u, v, du, dv, off);
+    const verdict high = judge_face(w->at.y - d - p * (c - d) - q * (b - d), w->by.y + du * (c - d) + dv * (b - d), p, q, -du, -dv, off);
+    const double before = w->hits->tmax;
+
+    if (low == BESIDE && high == BESIDE)
+        return true;
+    if (!cross_faces(w, x, z, low, high))
+        return false;
+    /* What comes behind a crossing well within the cell is farther. */
+    return w->hits->want != POV_WANT_NEAREST || w->hits->tmax == before || low == OPEN || high == OPEN;
 }
 
 /* Where the interval ends. */
@@ -218,31 +253,6 @@ static double end_of(const walk *w)
     const double most = h->tmax * w->through.about.per_unit * (1.0 + 0x1p-40);
 
     return most - w->base + 0x1p-40 * (1.0 + fabs(w->base));
-}
-
-/* Does the ray certainly stay above the planes of both triangles, or below them? */
-static bool is_clear(const walk *w, uint32_t x, uint32_t z, common_span s)
-{
-    const uint16_t *h = w->f->height + (size_t)z * w->f->wide + x, *g = h + w->f->wide;
-    const double u = w->at.x - x, v = w->at.z - z, du = w->by.x, dv = w->by.z;
-    const double low = w->at.y - h[0] - u * (h[1] - h[0]) - v * (g[0] - h[0]), low_rise = w->by.y - du * (h[1] - h[0]) - dv * (g[0] - h[0]);
-    const double high = w->at.y - (h[1] + g[0] - g[1]) - u * (g[1] - g[0]) - v * (g[1] - h[1]), high_rise = w->by.y - du * (g[1] - g[0]) - dv * (g[1] - h[1]);
-    const double a = low + s.lo * low_rise, b = low + s.hi * low_rise, c = high + s.lo * high_rise, d = high + s.hi * high_rise, off = w->off;
-
-    return (a > off && b > off && c > off && d > off) || (a < -off && b < -off && c < -off && d < -off);
-}
-
-static bool visit_cell(void *user, uint32_t x, uint32_t z, common_span part, double *to)
-{
-    walk *w = user;
-
-    if (is_clear(w, x, z, part))
-        return true;
-    if (!cross_cell(w, x, z))
-        return false;
-    if (w->hits->want == POV_WANT_NEAREST && w->hits->count > 0)
-        *to = fmin(*to, end_of(w));
-    return true;
 }
 
 static pov_vec3 in_steps(const height_field *f, pov_vec3 v) { return pov_vec3_of(v.x * (f->wide - 1.0), v.y * 0x1p16, v.z * (f->deep - 1.0)); }
@@ -261,13 +271,15 @@ static void cross(const void *self, const pov_ray *ray, const common_entry *e, p
     w.through.about = e->k;
     w.base = fmax(e->span.lo, 0.0);
     w.from_here = ray->origin_surface == hits->owner;
-    w.entered = false;
+    w.seen = false;
+    common_triangle_place(&w.through, ray, centre, 1.0);
     o = pov_add(common_along(&e->k, w.base), centre);
     w.at = in_steps(f, o);
     w.by = in_steps(f, e->k.d);
     w.off = hits->always_exact || !(pov_largest(pov_two3_hi(e->k.f)) < COMMON_FAR) ? HUGE_VAL : 0x1p-10 * (1.0 + pov_largest(o));
+    w.most = 2.0 + fabs(w.by.x) + fabs(w.by.z);
     common_relief_search(&f->relief, o, e->k.d, fmin(e->span.hi - w.base, end_of(&w)), visit_cell, &w);
-    hits->escalated += w.entered && w.through.view.escalated;
+    hits->escalated += w.through.view.escalated;
 }
 
 COMMON_BOXED_CLASS(height_field, cross)
