@@ -6,6 +6,8 @@
 #include <math.h>
 #include <string.h>
 
+enum { OPAQUE_SUMS = 6 };
+
 bool cells_make(cells *c, const env *e, const settings *s)
 {
     const int width = s->crop.width, height = s->crop.height;
@@ -17,7 +19,7 @@ bool cells_make(cells *c, const env *e, const settings *s)
     c->rows = (height - 1) / CELL_EDGE + 1;
     c->count = (size_t)c->columns * (size_t)c->rows;
     c->groups = env_alloc(e, c->count, GROUPS * sizeof *c->groups);
-    c->sums = s->alpha ? 7 : 6;
+    c->sums = s->alpha ? OPAQUE_SUMS + 1 : OPAQUE_SUMS;
     if (s->sampling || referring)
         c->shown = env_alloc(e, c->count, GROUPS * sizeof *c->shown);
     if (s->sampling)
@@ -244,13 +246,14 @@ void cells_first(cells *c, pov_rect tile, const framebuffer *f, const encoding *
             first->count = first->target = 1;
         }
     for (int y = 0; y < tile.height; y++) {
-        const float *row = framebuffer_pixels(f, tile.x, tile.y + y), *linear = linear_row(e, row, tile.width, buffer);
+        const float *row = framebuffer_pixels(f, tile.x, tile.y + y), *linear;
 
         for (int x = 0; c->halves && x < tile.width; x++)
             put_first(row_of_halves(c, tile, y) + c->sums * x, c->sums, row + 4 * x);
-        /* Without a reference there is no more to compute. */
-        if (!c->reference && is_within(linear, tile.width))
+        /* Without a reference there is no more to compute. What is opaque and within 0 .. 1 is so in linear light. */
+        if (!c->reference && (e->decode == 1.0 || c->sums == OPAQUE_SUMS) && is_within(row, tile.width))
             continue;
+        linear = linear_row(e, row, tile.width, buffer);
         for (int x = 0; x < tile.width; x++) {
             const size_t into = group_of(c->columns, tile.x + x, tile.y + y);
 
@@ -279,7 +282,7 @@ void cells_measure(const cells *c, pov_rect tile, const encoding *e, group *grou
 
             for (int i = 0; i < 3; i++)
                 out[i] = (float)((h[i] + h[3 + i]) / (a + b));
-            out[3] = c->sums > 6 ? (float)(h[6] / (a + b)) : 1.0f;
+            out[3] = c->sums > OPAQUE_SUMS ? (float)(h[6] / (a + b)) : 1.0f;
             memcpy(linear, out, sizeof linear);
             encoding_linear(e, linear, 1);
             shown[into].square += square;

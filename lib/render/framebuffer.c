@@ -139,28 +139,48 @@ void encoding_make(encoding *e, const gamma *g)
     encoder_init(&e->display, 8, g->transfer, 0.0);
 }
 
-static double decoded(const encoding *e, double value) { return e->decodes_srgb ? srgb_decode(value) : pow(value, e->decode); }
+enum { SOME_PIXELS = 16 };
 
-/* Linear light is value ^ decode; negative values keep their sign. */
-static float linear_of(const encoding *e, float value)
+/* Linear light is value ^ power; negative values keep their sign. */
+SIMD_CLONES static void decode_powers(double power, double *values, int count)
 {
-    return (float)(value < 0.0f ? -decoded(e, -(double)value) : decoded(e, (double)value));
+    for (int i = 0; i < count; i++) {
+        const double linear = elementary_pow(fabs(values[i]), power);
+
+        values[i] = values[i] < 0.0 ? -linear : linear;
+    }
 }
 
-static void decode_pixel(const encoding *e, float *rgba)
+static void decode_values(const encoding *e, double *values, int count)
 {
-    const float alpha = rgba[3] > 0.0f ? rgba[3] : 1.0f;
+    if (!e->decodes_srgb) {
+        decode_powers(e->decode, values, count);
+        return;
+    }
+    for (int i = 0; i < count; i++)
+        values[i] = values[i] < 0.0 ? -srgb_decode(-values[i]) : srgb_decode(values[i]);
+}
 
-    for (int i = 0; i < 3; i++)
-        rgba[i] = alpha * linear_of(e, rgba[i] / alpha);
+static float share_of(const float *pixel) { return pixel[3] > 0.0f ? pixel[3] : 1.0f; }
+
+/* Colours are multiplied by alpha. */
+static void decode_some(const encoding *e, float *rgba, int count)
+{
+    double values[3 * SOME_PIXELS];
+
+    for (int i = 0; i < 3 * count; i++)
+        values[i] = (double)(rgba[i / 3 * 4 + i % 3] / share_of(rgba + i / 3 * 4));
+    decode_values(e, values, 3 * count);
+    for (int i = 0; i < 3 * count; i++)
+        rgba[i / 3 * 4 + i % 3] = share_of(rgba + i / 3 * 4) * (float)values[i];
 }
 
 void encoding_linear(const encoding *e, float *rgba, int count)
 {
     if (e->decode == 1.0)
         return;
-    for (int i = 0; i < count; i++)
-        decode_pixel(e, rgba + 4 * i);
+    for (int i = 0; i < count; i += SOME_PIXELS)
+        decode_some(e, rgba + 4 * i, count - i < SOME_PIXELS ? count - i : SOME_PIXELS);
 }
 
 void encoding_display(const encoding *e, float *rgba, unsigned char *out, int count)
