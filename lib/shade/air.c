@@ -3,7 +3,6 @@
 #include "base/elementary.h"
 #include "shade/accumulate.h"
 #include "shade/haze.h"
-#include "texture/noise.h"
 #include "texture/texture.h"
 
 /* A segment of a path: length HUGE_VAL where nothing is hit. */
@@ -22,97 +21,20 @@ static veil veil_before(veil near, veil far)
 
 /* ---- fog ---- */
 
-/* The integral of the density 1 below 0, 1/(1 + y^2) above. */
-static double layered_integral(double y) { return y <= 0.0 ? y : elementary_atan(y); }
-
-/* Mean density times length of a layered fog between two heights, in its units above the offset. */
-static double layered_course(double y0, double y1, double length)
-{
-    const double rise = y1 - y0;
-
-    if (rise == 0.0)
-        return length * (y0 <= 0.0 ? 1.0 : 1.0 / (1.0 + y0 * y0));
-    return length * (layered_integral(y1) - layered_integral(y0)) / rise;
-}
-
-/* The same for a ray without end that rises by `slope` a unit of length. */
-static double endless_course(double y0, double slope)
-{
-    const double quarter = 1.57079632679489661923;
-
-    return slope > 0.0 ? (quarter - layered_integral(y0)) / slope : HUGE_VAL;
-}
-
-/* Without an `alt` the density is 1 below the offset and 0 above. */
-static double stepped_course(double y0, double slope, double length)
-{
-    const double until = -y0 / slope;   /* length to the step */
-
-    if (y0 <= 0.0)
-        return slope > 0.0 && until < length ? until : length;
-    return slope < 0.0 && until < length ? length - until : 0.0;
-}
-
-/* Length that counts: by the density along it. */
-static double fog_course(const fog *f, const segment *s)
-{
-    const double height = pov_dot(f->up, s->from) - f->offset, slope = pov_dot(f->up, s->dir);
-
-    if (!f->layered)
-        return s->length;
-    if (f->alt == 0.0)
-        return stepped_course(height, slope, s->length);
-    if (s->length == HUGE_VAL)
-        return endless_course(height / f->alt, slope / f->alt);
-    return layered_course(height / f->alt, (height + slope * s->length) / f->alt, s->length);
-}
-
-/* Where it is turbulent the fog is thinner, as POV-Ray has it by the middle of the segment. */
-static double fog_depth(const shading *scene, const fog *f, const segment *s)
-{
-    const model *m = scene->model;
-    double depth = fog_course(f, s) / f->distance, thinner;
-    pov_vec3 middle;
-
-    if (turbulence_is_none(&f->turbulence) || s->length == HUGE_VAL)
-        return depth;
-    middle = pov_add(s->from, pov_scale(s->dir, 0.5 * s->length));
-    middle = pov_vec3_of(middle.x * f->turbulence.amount.x, middle.y * f->turbulence.amount.y, middle.z * f->turbulence.amount.z);
-    thinner = f->depth * noise_turbulence_at(m->noise, m->noise_generator, &f->turbulence, middle);
-    return depth * (1.0 - elementary_exp(-s->length / f->distance) * (thinner < 1.0 ? thinner : 1.0));
-}
-
-static veil fog_veil(const shading *scene, const fog *f, const segment *s)
-{
-    const double passed = elementary_exp(-fog_depth(scene, f, s));
-    const float t = (float)(passed > (double)f->pigment.transmit ? passed : (double)f->pigment.transmit), filter = f->pigment.filter;
-    const colour c = f->pigment.color;
-    veil v;
-
-    v.by = colour_of(t * (1.0f - filter + filter * c.r), t * (1.0f - filter + filter * c.g), t * (1.0f - filter + filter * c.b));
-    v.given = colour_scale(c, 1.0f - t);
-    return v;
-}
-
-/* Of several fogs each adds its own light, whatever the others let through. */
-static veil all_fogs(const shading *scene, const segment *s)
-{
-    veil all = clear;
-
-    for (size_t i = 0; i < scene->model->fogs.count; i++) {
-        const veil v = fog_veil(scene, &scene->model->fogs.items[i], s);
-
-        all.by = colour_mul(all.by, v.by);
-        all.given = colour_add(all.given, v.given);
-    }
-    return all;
-}
+static colour colour_at(const float *r, const float *g, const float *b, uint32_t i) { return colour_of(r[i], g[i], b[i]); }
 
 colour air_fog_dims(const shading *scene, pov_vec3 from, pov_vec3 dir, double length)
 {
-    const segment s = { from, dir, length };
+    fog_segments s;
+    fog_veils v;
 
-    return all_fogs(scene, &s).by;
+    lanes_put(&s.from, 0, from);
+    lanes_put(&s.dir, 0, dir);
+    s.length[0] = length;
+    s.count = 1;
+    fog_fill(&s);
+    fog_find(scene->model, &s, &v);
+    return colour_of(v.by[0][0], v.by[1][0], v.by[2][0]);
 }
 
 /* ---- rainbows ---- */
@@ -199,13 +121,44 @@ uint32_t air_solids_across(const shading *scene, const surface *s)
     return s->at->entering ? before + 1 : before - (before > 0);
 }
 
-static segment segment_of(const pov_ray *ray, double t)
+void air_add(air_segments *s, const path *p, const pov_ray *ray, double t)
 {
-    const double size = pov_largest(ray->dir);
-    const pov_vec3 d = pov_scale(ray->dir, 1.0 / size);
-    const segment s = { ray->org, pov_unit(ray->dir), t == HUGE_VAL ? t : t * size * sqrt(pov_dot(d, d)) };
+    const uint32_t i = s->on.count++;
 
-    return s;
+    s->path[i] = p;
+    lanes_put(&s->on.from, i, ray->org);
+    lanes_put(&s->on.dir, i, ray->dir);
+    s->on.length[i] = t;
+}
+
+/* From ray parameters to lengths, and directions to unit vectors, as pov_unit() makes them. False: some is out of range. */
+SIMD_CLONES static bool measure_lanes(fog_segments *restrict s, uint32_t n)
+{
+    int64_t plain = -1;
+
+    for (uint32_t i = 0; i < n; i++) {
+        const pov_vec3 dir = lanes_at(&s->dir, i);
+        const double size = pov_largest(dir);
+        const pov_vec3 d = pov_scale(dir, 1.0 / size);
+        const double t = s->length[i], length = t * size * sqrt(pov_dot(d, d));
+        pov_vec3 unit;
+
+        plain &= geometry_unit(dir.x, dir.y, dir.z, &unit);
+        lanes_put(&s->dir, i, unit);
+        s->length[i] = t == HUGE_VAL ? t : length;
+    }
+    return plain != 0;
+}
+
+void air_measure(const shade_context *c, air_segments *s)
+{
+    const vec_lanes before = s->on.dir;
+
+    fog_fill(&s->on);
+    if (!measure_lanes(&s->on, lanes_whole(s->on.count)))
+        for (uint32_t i = 0; i < s->on.count; i++)
+            lanes_put(&s->on.dir, i, pov_unit(lanes_at(&before, i)));
+    fog_find(c->scene->model, &s->on, &s->fogs);
 }
 
 /* Length of a ray that hits nothing, where media fill the scene. */
@@ -223,17 +176,21 @@ static veil media_veil(shade_context *c, const path *p, const segment *s)
 }
 
 /* Fog lies over rainbows, and both over media. There is no fog in solids, and none that radiosity sees. */
-static veil veil_of(shade_context *c, const path *p, const segment *s)
+static veil veil_of(shade_context *c, const air_segments *on, uint32_t i)
 {
-    const veil near = media_veil(c, p, s), far = p->gathers > 0 ? near : veil_before(all_rainbows(c->scene, s), near);
+    const path *p = on->path[i];
+    const segment s = { lanes_at(&on->on.from, i), lanes_at(&on->on.dir, i), on->on.length[i] };
+    const veil near = media_veil(c, p, &s), far = p->gathers > 0 ? near : veil_before(all_rainbows(c->scene, &s), near);
+    const fog_veils *f = &on->fogs;
+    const veil fogs = { colour_at(f->by[0], f->by[1], f->by[2], i), colour_at(f->given[0], f->given[1], f->given[2], i) };
 
-    return p->solids > 0 || p->gathers > 0 ? far : veil_before(all_fogs(c->scene, s), far);
+    return p->solids > 0 || p->gathers > 0 ? far : veil_before(fogs, far);
 }
 
-void air_cross(shade_context *c, const path *p, const pov_ray *ray, double t, path *dimmed, colour *out)
+void air_cross(shade_context *c, const air_segments *s, uint32_t i, path *dimmed, colour *out)
 {
-    const segment s = segment_of(ray, t);
-    const veil v = veil_of(c, p, &s);
+    const path *p = s->path[i];
+    const veil v = veil_of(c, s, i);
 
     *dimmed = *p;
     dimmed->factor.by = colour_mul(p->factor.by, v.by);
@@ -317,20 +274,34 @@ static void add_sky(const shade_context *c, const batch *b, uint64_t rays, backd
     }
 }
 
+/* The paths that hit nothing, on their way. */
+static void add_endless(const shade_context *c, const batch *b, uint64_t rays, air_segments *on)
+{
+    on->on.count = 0;
+    for (; rays; rays &= rays - 1)
+        air_add(on, &b->paths[first_of64(rays)], b->rays[first_of64(rays)], HUGE_VAL);
+    air_measure(c, on);
+}
+
 void air_background(shade_context *c, const batch *b, uint64_t rays, colour *out)
 {
     const model *m = c->scene->model;
     backdrop seen[BATCH_MAX];
+    air_segments on;
+    uint32_t k = 0;
 
+    if (!rays)
+        return;
     for (uint64_t rest = rays; rest; rest &= rest - 1)
         seen[first_of64(rest)] = background_of(c, &b->paths[first_of64(rest)]);
     if (m->sky)
         add_sky(c, b, rays, seen);
-    for (; rays; rays &= rays - 1) {
+    if (c->scene->dims)
+        add_endless(c, b, rays, &on);
+    for (; rays; rays &= rays - 1, k++) {
         const uint32_t i = first_of64(rays);
         const path *p = &b->paths[i];
-        const segment s = segment_of(b->rays[i], HUGE_VAL);
-        const veil v = c->scene->dims ? veil_of(c, p, &s) : clear;
+        const veil v = c->scene->dims ? veil_of(c, &on, k) : clear;
 
         accumulate(p, colour_add(colour_mul(v.by, seen[i].seen), v.given), out);
         if (c->alpha)

@@ -3,7 +3,15 @@
 #define SHADE_AIR_H
 
 #include "shade/context.h"
+#include "shade/fog.h"
 #include "shade/surface.h"
+
+/* Segments of paths, and what fogs do on them. */
+typedef struct air_segments {
+    const path *path[BATCH_MAX];
+    fog_segments on;             /* while they are added: directions as the rays have them, and ray parameters */
+    fog_veils fogs;
+} air_segments;
 
 /* Is there more than a background? */
 static inline bool air_is_there(const model *m) { return m->sky || m->fogs.count > 0 || m->rainbows.count > 0; }
@@ -16,7 +24,11 @@ void air_background(shade_context *c, const batch *b, uint64_t rays, colour *out
 uint32_t air_solids_across(const shading *scene, const surface *s);
 /* What fog leaves of light that it dims: most lights are not dimmed by it. The direction is a unit vector. */
 colour air_fog_dims(const shading *scene, pov_vec3 from, pov_vec3 dir, double length);
-/* Add what the air itself gives on the way to a hit at ray parameter t; `dimmed` becomes the path behind it. */
-void air_cross(shade_context *c, const path *p, const pov_ray *ray, double t, path *dimmed, colour *out);
+/* One more, to ray parameter t; HUGE_VAL: it is endless. */
+void air_add(air_segments *s, const path *p, const pov_ray *ray, double t);
+/* Complete segments, of which there is at least one. */
+void air_measure(const shade_context *c, air_segments *s);
+/* Add what the air itself gives on segment i; `dimmed` becomes the path behind it. */
+void air_cross(shade_context *c, const air_segments *s, uint32_t i, path *dimmed, colour *out);
 
 #endif

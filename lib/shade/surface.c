@@ -120,15 +120,34 @@ static double distance_of(const surface *s)
 }
 
 /* Fog, rainbows and media on the way to the surface. */
-static inline void dim(shade_context *c, surfaces *s, surface *at, colour *out)
+static void dim(shade_context *c, surfaces *s, surface *at, colour *out)
 {
-    path *behind;
+    path *behind = &s->dimmed[at - s->at];
+    air_segments on;
 
     if (!c->scene->dims || c->photons_fly)
         return;
-    behind = &s->dimmed[at - s->at];
-    air_cross(c, at->from, at->ray, distance_of(at), behind, out);
+    on.on.count = 0;
+    air_add(&on, at->from, at->ray, distance_of(at));
+    air_measure(c, &on);
+    air_cross(c, &on, 0, behind, out);
     at->from = behind;
+}
+
+/* The same for all rays that hit something, of which none starts on coincident surfaces: dimmed paths, by ray of the batch. */
+SIMD_NOINLINE static void dim_all(shade_context *c, surfaces *s, const batch *b, uint64_t found, colour *out)
+{
+    air_segments on;
+    uint32_t k = 0;
+
+    if (!found)
+        return;
+    on.on.count = 0;
+    for (uint64_t rest = found; rest; rest &= rest - 1)
+        air_add(&on, &b->paths[first_of64(rest)], b->rays[first_of64(rest)], s->hits[first_of64(rest)].crossing.t);
+    air_measure(c, &on);
+    for (; found; found &= found - 1)
+        air_cross(c, &on, k++, &s->dimmed[first_of64(found)], out);
 }
 
 /* Intersect rays, some of which start on coincident surfaces. */
@@ -173,7 +192,7 @@ static void add_background(shade_context *c, const batch *b, uint64_t rays, colo
 
 void surfaces_find(shade_context *c, surfaces *s, const batch *b, colour *out)
 {
-    const bool special = any_special(c, b);
+    const bool special = any_special(c, b), dims = special && c->scene->dims && !c->photons_fly;
     surface *at = s->at;
     uint64_t found, rest;
     uint32_t n = 0;
@@ -184,10 +203,12 @@ void surfaces_find(shade_context *c, surfaces *s, const batch *b, colour *out)
     }
     found = query_nearest(c->scene->world, c->context, b->rays, b->count, HUGE_VAL, s->hits);
     add_background(c, b, ~found & ~(uint64_t)0 >> (BATCH_MAX - b->count), out);
+    if (dims)
+        dim_all(c, s, b, found, out);
     for (rest = found; rest; rest &= rest - 1) {
         place(s, at, b, first_of64(rest), n);
-        if (special)
-            dim(c, s, at, out);
+        if (dims)
+            at->from = &s->dimmed[first_of64(rest)];
         if (is_kept(c, b, at, special, out)) {
             at++;
             n++;

@@ -1,0 +1,158 @@
+#include "shade/fog.h"
+
+#include "base/elementary.h"
+#include "texture/noise.h"
+
+/* ---- length that counts: by the density along it ---- */
+
+/* The integral of the density 1 below 0, 1/(1 + y^2) above. */
+SIMD_INLINE double layered_integral(double y)
+{
+    const double above = elementary_atan(y);
+
+    return y <= 0.0 ? y : above;
+}
+
+/* Mean density times length of a layered fog between two heights, in its units above the offset. */
+SIMD_INLINE double layered_course(double y0, double y1, double length)
+{
+    const double rise = y1 - y0, level = y0 <= 0.0 ? 1.0 : 1.0 / (1.0 + y0 * y0);
+    const double course = length * (layered_integral(y1) - layered_integral(y0)) / rise;
+
+    return rise == 0.0 ? length * level : course;
+}
+
+/* The same for a ray without end that rises by `slope` a unit of length. */
+SIMD_INLINE double endless_course(double y0, double slope)
+{
+    const double quarter = 1.57079632679489661923, course = (quarter - layered_integral(y0)) / slope;
+
+    return slope > 0.0 ? course : HUGE_VAL;
+}
+
+/* Without an `alt` the density is 1 below the offset and 0 above. */
+SIMD_INLINE double stepped_course(double y0, double slope, double length)
+{
+    const double until = -y0 / slope;   /* length to the step */
+    const double below = slope > 0.0 && until < length ? until : length;
+    const double above = slope < 0.0 && until < length ? length - until : 0.0;
+
+    return y0 <= 0.0 ? below : above;
+}
+
+SIMD_INLINE double height_of(const fog *f, const fog_segments *s, uint32_t i) { return pov_dot(f->up, lanes_at(&s->from, i)) - f->offset; }
+SIMD_INLINE double slope_of(const fog *f, const fog_segments *s, uint32_t i) { return pov_dot(f->up, lanes_at(&s->dir, i)); }
+
+SIMD_CLONES static void find_stepped(const fog *restrict f, const fog_segments *restrict s, uint32_t n, double *restrict course)
+{
+    for (uint32_t i = 0; i < n; i++)
+        course[i] = stepped_course(height_of(f, s, i), slope_of(f, s, i), s->length[i]);
+}
+
+SIMD_CLONES static void find_layered(const fog *restrict f, const fog_segments *restrict s, uint32_t n, double *restrict course)
+{
+    for (uint32_t i = 0; i < n; i++) {
+        const double height = height_of(f, s, i), slope = slope_of(f, s, i), length = s->length[i];
+
+        course[i] = layered_course(height / f->alt, (height + slope * length) / f->alt, length);
+    }
+}
+
+static void find_endless(const fog *f, const fog_segments *s, double *course)
+{
+    for (uint32_t i = 0; i < s->count; i++)
+        if (s->length[i] == HUGE_VAL)
+            course[i] = endless_course(height_of(f, s, i) / f->alt, slope_of(f, s, i) / f->alt);
+}
+
+static void find_course(const fog *f, const fog_segments *s, uint32_t n, double *course)
+{
+    if (!f->layered) {
+        memcpy(course, s->length, n * sizeof *course);
+    } else if (f->alt == 0.0) {
+        find_stepped(f, s, n, course);
+    } else {
+        find_layered(f, s, n, course);
+        find_endless(f, s, course);
+    }
+}
+
+/* ---- depths ---- */
+
+SIMD_CLONES static void divide(double distance, uint32_t n, double *restrict depth)
+{
+    for (uint32_t i = 0; i < n; i++)
+        depth[i] /= distance;
+}
+
+/* Where it is turbulent the fog is thinner, as POV-Ray has it by the middle of the segment. */
+static void thin(const model *m, const fog *f, const fog_segments *s, double *depth)
+{
+    const pov_vec3 by = f->turbulence.amount;
+    SIMD_ALIGNED double noise[LANES_MAX];
+    vec_lanes at;
+
+    for (uint32_t i = 0; i < lanes_whole(s->count); i++) {
+        const double half = s->length[i] == HUGE_VAL ? 0.0 : 0.5 * s->length[i];
+        const pov_vec3 middle = pov_add(lanes_at(&s->from, i), pov_scale(lanes_at(&s->dir, i), half));
+
+        lanes_put(&at, i, pov_vec3_of(middle.x * by.x, middle.y * by.y, middle.z * by.z));
+    }
+    noise_turbulence(m->noise, m->noise_generator, &f->turbulence, &at, s->count, noise);
+    for (uint32_t i = 0; i < s->count; i++) {
+        const double thinner = f->depth * noise[i];
+
+        if (s->length[i] != HUGE_VAL)
+            depth[i] = depth[i] * (1.0 - elementary_exp(-s->length[i] / f->distance) * (thinner < 1.0 ? thinner : 1.0));
+    }
+}
+
+/* ---- veils ---- */
+
+SIMD_CLONES static void add_fog(const fog *restrict f, const double *restrict depth, uint32_t n, fog_veils *restrict out)
+{
+    const float filter = f->pigment.filter, least = f->pigment.transmit;
+    const colour c = f->pigment.color;
+
+    for (uint32_t i = 0; i < n; i++) {
+        const double passed = elementary_exp(-depth[i]);
+        const float t = (float)(passed > (double)least ? passed : (double)least);
+
+        out->by[0][i] *= t * (1.0f - filter + filter * c.r);
+        out->by[1][i] *= t * (1.0f - filter + filter * c.g);
+        out->by[2][i] *= t * (1.0f - filter + filter * c.b);
+        out->given[0][i] += c.r * (1.0f - t);
+        out->given[1][i] += c.g * (1.0f - t);
+        out->given[2][i] += c.b * (1.0f - t);
+    }
+}
+
+void fog_find(const model *m, const fog_segments *s, fog_veils *out)
+{
+    const uint32_t n = lanes_whole(s->count);
+    SIMD_ALIGNED double depth[LANES_MAX];
+
+    for (int k = 0; k < 3; k++)
+        for (uint32_t i = 0; i < n; i++) {
+            out->by[k][i] = 1.0f;
+            out->given[k][i] = 0.0f;
+        }
+    for (size_t k = 0; k < m->fogs.count; k++) {
+        const fog *f = &m->fogs.items[k];
+
+        find_course(f, s, n, depth);
+        divide(f->distance, n, depth);
+        if (!turbulence_is_none(&f->turbulence))
+            thin(m, f, s, depth);
+        add_fog(f, depth, n, out);
+    }
+}
+
+void fog_fill(fog_segments *s)
+{
+    for (uint32_t i = s->count; i < lanes_whole(s->count); i++) {
+        lanes_put(&s->from, i, lanes_at(&s->from, s->count - 1));
+        lanes_put(&s->dir, i, lanes_at(&s->dir, s->count - 1));
+        s->length[i] = s->length[s->count - 1];
+    }
+}
