@@ -25,8 +25,18 @@ static void fill_hash(noise_tables *t)
         t->hash[i] = (uint16_t)i;
     for (uint32_t i = NOISE_HASH; i-- > 0;)
         swap(&t->hash[i], &t->hash[draw(&seed) % NOISE_HASH]);
-    for (uint32_t i = 0; i < NOISE_HASH; i++)
-        t->last[i] = (uint8_t)t->hash[i];
+}
+
+/* Copy k has the numbers from i on at a multiple of four, where i & 3 is k. */
+static void fill_measured(noise_tables *t)
+{
+    for (uint32_t k = 0; k < NOISE_COPIES; k++)
+        memcpy(t->measured[k] + (NOISE_COPIES - k) % NOISE_COPIES, noise_measured, sizeof noise_measured);
+    for (uint32_t i = 0; i < NOISE_HASH; i++) {
+        const uint32_t from = t->hash[i] & 0xff, k = from % NOISE_COPIES;
+
+        t->last[i] = (uint16_t)(k * NOISE_COPY + from + (NOISE_COPIES - k) % NOISE_COPIES);
+    }
 }
 
 static pov_vec3 draw_in_sphere(uint32_t *seed)
@@ -96,89 +106,105 @@ static void fill_cells(noise_tables *t)
 /* ---- the cubes that points stand in ---- */
 
 /* Numbers of a point that are added up side by side: one of four terms at each corner. */
-enum { CORNERS = 8, PARTS = 4 };
+enum { CORNERS = NOISE_CORNERS, PARTS = NOISE_PARTS };
 
-/* The lattice's cells, the smooth weights of their upper sides, and 1/2 with the places in them. */
+/* The lattice's cells by axis, and those above; the corners' weights; and 1/2 with the places in the cells. */
 typedef struct SIMD_ALIGNED lattice {
-    double s[3][LANES_MAX];
+    double weight[CORNERS][LANES_MAX];
     double place[LANES_MAX][PARTS];
-    int32_t cell[3][LANES_MAX];
+    uint32_t low[3][LANES_MAX], high[3][LANES_MAX];
 } lattice;
-
-/* What a place is seen from at each corner. */
-static const double corner[CORNERS][PARTS] = {
-    { 0.0, 0.0, 0.0, 0.0 }, { 0.0, 1.0, 0.0, 0.0 }, { 0.0, 0.0, 1.0, 0.0 }, { 0.0, 1.0, 1.0, 0.0 },
-    { 0.0, 0.0, 0.0, 1.0 }, { 0.0, 1.0, 0.0, 1.0 }, { 0.0, 0.0, 1.0, 1.0 }, { 0.0, 1.0, 1.0, 1.0 },
-};
 
 SIMD_INLINE double smooth(double u) { return u * u * (3.0 - 2.0 * u); }
 
 /* What no 32-bit integer holds counts as the lowest one, as POV-Ray's conversion gives. */
 SIMD_INLINE double limit(double whole) { return whole >= -2147483648.0 && whole < 2147483648.0 ? whole : -2147483648.0; }
 
-SIMD_INLINE void locate_along(int axis, const double *restrict at, double scale, uint32_t n, lattice *restrict out)
+SIMD_INLINE void set_weights(lattice *restrict out, uint32_t i, double x, double y, double z)
 {
-    double *restrict s = out->s[axis];
-    int32_t *restrict cell = out->cell[axis];
+    const double x0 = 1.0 - x, y0 = 1.0 - y, z0 = 1.0 - z;
 
-    for (uint32_t i = 0; i < n; i++) {
-        const double v = at[i] * scale, whole = limit(floor(v)), u = v - whole;
+    out->weight[0][i] = x0 * y0 * z0;
+    out->weight[1][i] = x * y0 * z0;
+    out->weight[2][i] = x0 * y * z0;
+    out->weight[3][i] = x * y * z0;
+    out->weight[4][i] = x0 * y0 * z;
+    out->weight[5][i] = x * y0 * z;
+    out->weight[6][i] = x0 * y * z;
+    out->weight[7][i] = x * y * z;
+}
 
-        s[i] = smooth(u);
-        out->place[i][1 + axis] = u;
-        cell[i] = (int32_t)whole;
-    }
+SIMD_INLINE void set_place(lattice *restrict out, uint32_t i, double first, double x, double y, double z)
+{
+    out->place[i][0] = first;
+    out->place[i][1] = x;
+    out->place[i][2] = y;
+    out->place[i][3] = z;
+    set_weights(out, i, smooth(x), smooth(y), smooth(z));
+}
+
+SIMD_INLINE void set_cell(lattice *restrict out, int axis, uint32_t i, double whole)
+{
+    enum { MASK = NOISE_HASH - 1, SHIFT = 10000 };
+    const uint32_t cell = (uint32_t)(int32_t)whole + SHIFT;
+
+    out->low[axis][i] = cell & MASK;
+    out->high[axis][i] = (cell + 1) & MASK;
 }
 
 SIMD_CLONES static void locate(const vec_lanes *restrict at, double scale, uint32_t n, lattice *restrict out)
 {
-    for (uint32_t i = 0; i < n; i++)
-        out->place[i][0] = 0.5;
-    locate_along(0, at->x, scale, n, out);
-    locate_along(1, at->y, scale, n, out);
-    locate_along(2, at->z, scale, n, out);
+    for (uint32_t i = 0; i < n; i++) {
+        const double x = at->x[i] * scale, y = at->y[i] * scale, z = at->z[i] * scale;
+        const double xi = limit(floor(x)), yi = limit(floor(y)), zi = limit(floor(z));
+
+        set_cell(out, 0, i, xi);
+        set_cell(out, 1, i, yi);
+        set_cell(out, 2, i, zi);
+        set_place(out, i, 0.5, x - xi, y - yi, z - zi);
+    }
 }
 
 /* ---- generators 1 and 2, vector noise ---- */
 
-/* The corners' weights. */
-SIMD_INLINE void weigh(const lattice *l, uint32_t lane, double w[CORNERS])
-{
-    const double x = l->s[0][lane], y = l->s[1][lane], z = l->s[2][lane];
-
-    for (int c = 0; c < CORNERS; c++)
-        w[c] = (c & 1 ? x : 1.0 - x) * (c & 2 ? y : 1.0 - y) * (c & 4 ? z : 1.0 - z);
-}
-
 /* Where the numbers of each corner begin. */
 SIMD_INLINE void find_corners(const noise_tables *t, const lattice *l, uint32_t lane, const double *from[CORNERS])
 {
-    enum { MASK = NOISE_HASH - 1, SHIFT = 10000 };
-    const uint32_t x = (uint32_t)l->cell[0][lane] + SHIFT, y = (uint32_t)l->cell[1][lane] + SHIFT;
-    const uint32_t z = (uint32_t)l->cell[2][lane] + SHIFT;
-    const uint32_t hx[2] = { t->hash[x & MASK], t->hash[(x + 1) & MASK] };
+    const uint32_t hx[2] = { t->hash[l->low[0][lane]], t->hash[l->high[0][lane]] };
+    const uint32_t y[2] = { l->low[1][lane], l->high[1][lane] }, z[2] = { l->low[2][lane], l->high[2][lane] };
 
-    for (int c = 0; c < CORNERS; c++) {
-        const uint32_t hxy = t->hash[hx[c & 1] ^ ((y + (c >> 1 & 1)) & MASK)];
+    for (int c = 0; c < CORNERS / 2; c++) {
+        const uint32_t hxy = t->hash[hx[c & 1] ^ y[c >> 1]];
 
-        from[c] = noise_measured + t->last[hxy ^ ((z + (c >> 2)) & MASK)];
+        from[c] = t->measured[0] + t->last[hxy ^ z[0]];
+        from[c + 4] = t->measured[0] + t->last[hxy ^ z[1]];
     }
 }
 
-/* One component: 0, 4 or 8 numbers behind where the corners' begin. Its four parts are yet to be added up: stored side
- * by side, they become one vector. */
-SIMD_INLINE void sum_corners(const double w[CORNERS], const double *const from[CORNERS], int offset,
-                             const double place[PARTS], double out[PARTS])
+/* Add the numbers of a corner, 4 of each component, times the place as it is seen from there and the corner's weight. */
+SIMD_INLINE void add_corner(const lattice *l, uint32_t lane, int c, const double *restrict numbers, int count, double sum[][PARTS])
 {
-    double sum[PARTS];
+    double by[PARTS];
 
     for (int k = 0; k < PARTS; k++)
-        sum[k] = (place[k] - corner[0][k]) * w[0] * from[0][offset + k];
-    for (int c = 1; c < CORNERS; c++)
+        by[k] = (l->place[lane][k] - noise_corner[c][k]) * l->weight[c][lane];
+    for (int j = 0; j < count; j++)
         for (int k = 0; k < PARTS; k++)
-            sum[k] += (place[k] - corner[c][k]) * w[c] * from[c][offset + k];
-    for (int k = 0; k < PARTS; k++)
-        out[k] = sum[k];
+            sum[j][k] = c == 0 ? by[k] * numbers[PARTS * j + k] : sum[j][k] + by[k] * numbers[PARTS * j + k];
+}
+
+/* The four parts of each component are yet to be added up: stored side by side, they become one vector. Corner by corner,
+ * so that the components' sums do not wait for each other. */
+SIMD_INLINE void sum_corners(const lattice *l, uint32_t lane, const double *const from[CORNERS], int count, double sum[][PARTS])
+{
+    add_corner(l, lane, 0, from[0], count, sum);
+    add_corner(l, lane, 1, from[1], count, sum);
+    add_corner(l, lane, 2, from[2], count, sum);
+    add_corner(l, lane, 3, from[3], count, sum);
+    add_corner(l, lane, 4, from[4], count, sum);
+    add_corner(l, lane, 5, from[5], count, sum);
+    add_corner(l, lane, 6, from[6], count, sum);
+    add_corner(l, lane, 7, from[7], count, sum);
 }
 
 SIMD_INLINE void join(double parts[][PARTS], uint32_t n, double *restrict out)
@@ -193,11 +219,11 @@ SIMD_CLONES static void sum_scalar(const noise_tables *t, const lattice *l, uint
 
     for (uint32_t i = 0; i < n; i++) {
         const double *from[CORNERS];
-        double w[CORNERS];
+        double sum[1][PARTS];
 
         find_corners(t, l, i, from);
-        weigh(l, i, w);
-        sum_corners(w, from, 0, l->place[i], parts[i]);
+        sum_corners(l, i, from, 1, sum);
+        memcpy(parts[i], sum[0], sizeof parts[i]);
     }
     join(parts, n, out);
 }
@@ -208,13 +234,12 @@ SIMD_CLONES static void sum_vector(const noise_tables *t, const lattice *l, uint
 
     for (uint32_t i = 0; i < n; i++) {
         const double *from[CORNERS];
-        double w[CORNERS];
+        double sum[3][PARTS];
 
         find_corners(t, l, i, from);
-        weigh(l, i, w);
-        sum_corners(w, from, 0, l->place[i], parts[0][i]);
-        sum_corners(w, from, 4, l->place[i], parts[1][i]);
-        sum_corners(w, from, 8, l->place[i], parts[2][i]);
+        sum_corners(l, i, from, 3, sum);
+        for (int j = 0; j < 3; j++)
+            memcpy(parts[j][i], sum[j], sizeof parts[j][i]);
     }
     join(parts[0], n, out->x);
     join(parts[1], n, out->y);
@@ -224,34 +249,32 @@ SIMD_CLONES static void sum_vector(const noise_tables *t, const lattice *l, uint
 /* ---- generator 3 ---- */
 
 /* The shift is so large that it rounds the points: values keep steps of 2^-29 in them. */
-SIMD_INLINE void locate_along_3(int axis, const double *restrict at, double scale, uint32_t n, lattice *restrict out)
+SIMD_INLINE double shifted(double at, double scale) { return at * scale + 10000000.023157213; }
+
+SIMD_INLINE double whole_of(double v)
 {
-    double *restrict s = out->s[axis];
-    int32_t *restrict cell = out->cell[axis];
+    const double down = floor(v);
 
-    for (uint32_t i = 0; i < n; i++) {
-        const double v = at[i] * scale + 10000000.023157213, down = floor(v);
-        const double whole = limit(v < 0.0 && down < v ? down + 1.0 : down), u = v - whole;
-
-        s[i] = smooth(u);
-        out->place[i][1 + axis] = u;
-        cell[i] = (int32_t)whole;
-    }
+    return limit(v < 0.0 && down < v ? down + 1.0 : down);
 }
 
 SIMD_CLONES static void locate_3(const vec_lanes *restrict at, double scale, uint32_t n, lattice *restrict out)
 {
-    for (uint32_t i = 0; i < n; i++)
-        out->place[i][0] = 0.0;
-    locate_along_3(0, at->x, scale, n, out);
-    locate_along_3(1, at->y, scale, n, out);
-    locate_along_3(2, at->z, scale, n, out);
+    for (uint32_t i = 0; i < n; i++) {
+        const double x = shifted(at->x[i], scale), y = shifted(at->y[i], scale), z = shifted(at->z[i], scale);
+        const double xi = whole_of(x), yi = whole_of(y), zi = whole_of(z);
+
+        out->low[0][i] = (uint32_t)(int32_t)xi;
+        out->low[1][i] = (uint32_t)(int32_t)yi;
+        out->low[2][i] = (uint32_t)(int32_t)zi;
+        set_place(out, i, 0.0, x - xi, y - yi, z - zi);
+    }
 }
 
 SIMD_INLINE void find_corners_3(const noise_tables *t, const lattice *l, uint32_t lane, const double *from[CORNERS])
 {
     enum { MASK = NOISE_GRADIENTS - 1 };
-    const uint32_t x = (uint32_t)l->cell[0][lane], y = (uint32_t)l->cell[1][lane], z = (uint32_t)l->cell[2][lane];
+    const uint32_t x = l->low[0][lane], y = l->low[1][lane], z = l->low[2][lane];
 
     for (uint32_t c = 0; c < CORNERS; c++) {
         const uint32_t a = t->order[(x + (c & 1)) & MASK], b = t->order[(a + y + (c >> 1 & 1)) & MASK];
@@ -266,11 +289,11 @@ SIMD_CLONES static void sum_gradients(const noise_tables *t, const lattice *l, u
 
     for (uint32_t i = 0; i < n; i++) {
         const double *from[CORNERS];
-        double w[CORNERS];
+        double sum[1][PARTS];
 
         find_corners_3(t, l, i, from);
-        weigh(l, i, w);
-        sum_corners(w, from, 0, l->place[i], parts[i]);
+        sum_corners(l, i, from, 1, sum);
+        memcpy(parts[i], sum[0], sizeof parts[i]);
     }
     join(parts, n, out);
 }
@@ -448,6 +471,7 @@ noise_tables *noise_create(const env *e)
     if (!t)
         return NULL;
     fill_hash(t);
+    fill_measured(t);
     fill_generator_3(t);
     fill_cells(t);
     fill_waves(t, NOISE_WAVES, t->few);

@@ -11,6 +11,7 @@
 
 enum {
     NOISE_HASH = 4096, NOISE_MEASURED = 267, NOISE_GRADIENTS = 2048,
+    NOISE_COPIES = 4, NOISE_COPY = 272,
     NOISE_WAVES = 10,
     NOISE_CELLS = NOISE_HASH + 2     /* random numbers by hash; a hash and the two behind it are a point in a cube */
 };
@@ -22,13 +23,17 @@ typedef struct noise_tables {
     double cell[NOISE_CELLS];                            /* in 0..1 */
     uint16_t hash[NOISE_HASH];                           /* a permutation */
     uint16_t order[NOISE_GRADIENTS];                     /* of generator 3 */
-    uint8_t last[NOISE_HASH];                            /* the low bits of hash: where measured numbers begin */
+    uint16_t last[NOISE_HASH];                           /* by a hash: where measured numbers begin, from its low bits */
+    SIMD_ALIGNED double measured[NOISE_COPIES][NOISE_COPY];   /* the same numbers, moved: so all begin where vectors do */
     noise_wave few[NOISE_WAVES];
     uint32_t waves;                                      /* sources of ripples and waves, NOISE_WAVES at least */
     const noise_wave *wave;                              /* the few, or in a scene's memory */
 } noise_tables;
 
 extern const double noise_measured[NOISE_MEASURED];
+/* What places in a cube, each 1/2 or 0 and three coordinates, are seen from at its corners. */
+enum { NOISE_CORNERS = 8, NOISE_PARTS = 4 };
+extern const double noise_corner[NOISE_CORNERS][NOISE_PARTS];
 
 /* From env_alloc_aligned(); NULL when memory ends. */
 noise_tables *noise_create(const env *e);
