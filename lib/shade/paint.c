@@ -79,9 +79,11 @@ static void add(group *g, const shading *scene, const surfaces *s, uint32_t lane
     const hit *h = s->at[lane].at;
 
     add_point(g, scene, h);
-    add_uv(g, scene, h);
+    if (scene->uvs)
+        add_uv(g, scene, h);
     lanes_put(&g->points.normal, g->count, lanes_at(s->geometry.raw, lane));
-    lanes_put(&g->points.view, g->count, pov_unit(s->at[lane].ray->dir));
+    if (scene->views)
+        lanes_put(&g->points.view, g->count, pov_unit(s->at[lane].ray->dir));
     g->points.has_surface = true;
     g->lane[g->count++] = (uint8_t)lane;
 }
@@ -120,6 +122,8 @@ static uint32_t evaluate(const shading *scene, const surfaces *s, painted *p)
         uint32_t n;
 
         begin(&g, texture_at(scene, first, s->rays[first_of64(rest)]));
+        if (!scene->uvs)
+            memset(&g.points.uv, 0, sizeof g.points.uv);
         for (uint64_t lanes = rest; lanes; lanes &= lanes - 1) {
             const uint32_t i = first_of64(lanes);
 

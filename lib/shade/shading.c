@@ -59,6 +59,14 @@ static int order(const void *a, const void *b)
     return (x > y) - (x < y);
 }
 
+/* What textures ask of the surface. */
+static void note_texture(shading *s, const texture *of)
+{
+    s->most_terms = larger(s->most_terms, texture_most_terms(of));
+    s->views |= texture_is_of_view(of);
+    s->uvs |= texture_has_uv(of);
+}
+
 static bool list_finishes(shading *s, finish_list *list)
 {
     const model *m = s->model;
@@ -72,8 +80,9 @@ static bool list_finishes(shading *s, finish_list *list)
         last = of;
         if (!add_finishes(list, m->env, of->texture) || (of->inside && !add_finishes(list, m->env, of->inside)))
             return false;
-        s->most_terms = larger(s->most_terms, texture_most_terms(of->texture));
-        s->most_terms = larger(s->most_terms, of->inside ? texture_most_terms(of->inside) : 0);
+        note_texture(s, of->texture);
+        if (of->inside)
+            note_texture(s, of->inside);
     }
     return true;
 }

@@ -23,6 +23,7 @@ typedef struct shading {
     uint32_t most_terms;         /* of a texture at a point */
     bool angular;                /* some finish reflects or transmits by the angle of the ray */
     bool even;                   /* all materials are: see appearance.h */
+    bool views, uvs;             /* some texture asks where it is seen from; for the surface's uv coordinates */
     struct stack **stacks;
     size_t stack_count, stack_capacity;
     finish plain_finish;         /* the default */

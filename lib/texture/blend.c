@@ -10,25 +10,54 @@ static void find_member(blending *b, uint32_t count, double value, uint32_t lane
 }
 
 /* Values of maps need not rise: the first that is large enough counts, unless the last one is passed. */
-static uint32_t find_entry(const float *values, uint32_t count, double value)
-{
-    uint32_t i = 0;
-
-    if (!(value < (double)values[count - 1]))
-        return count - 1;
-    while (i + 1 < count && value > (double)values[i])
-        i++;
-    return i;
-}
-
 static void find_between(blending *b, uint32_t count, double value, uint32_t lane)
 {
-    const uint32_t i = find_entry(b->values, count, value);
-    const bool is_between = i > 0 && value < (double)b->values[i];
+    uint32_t i = 0;
+    bool is_between;
 
+    while (i + 1 < count && value > (double)b->values[i])
+        i++;
+    if (!(value < (double)b->values[count - 1]))
+        i = count - 1;
+    is_between = i > 0 && value < (double)b->values[i];
     b->low[lane] = is_between ? i - 1 : i;
     b->between[lane] = is_between ? (value - (double)b->values[i - 1]) /
                                         ((double)b->values[i] - (double)b->values[i - 1]) : 0.0;
+}
+
+/* The same for lanes side by side: each entry of a short map is held against all of them, from the last one down. */
+enum { MAP_SHORT = 16 };
+
+SIMD_CLONES static void find_short(const float *restrict values, uint32_t count, const double *restrict value, uint32_t n,
+                                   blending *restrict b)
+{
+    SIMD_ALIGNED double upper[LANES_MAX], lower[LANES_MAX];
+    SIMD_ALIGNED int64_t entry[LANES_MAX];
+    const double last = (double)values[count - 1];
+
+    for (uint32_t i = 0; i < n; i++) {
+        entry[i] = count - 1;
+        upper[i] = last;
+        lower[i] = (double)values[count > 1 ? count - 2 : 0];
+    }
+    for (uint32_t k = count - 1; k-- > 0;) {
+        const double at = (double)values[k], before = (double)values[k > 0 ? k - 1 : 0];
+
+        for (uint32_t i = 0; i < n; i++) {
+            const bool is_first = !(value[i] > at) & (value[i] < last);
+
+            entry[i] = is_first ? (int64_t)k : entry[i];
+            upper[i] = is_first ? at : upper[i];
+            lower[i] = is_first ? before : lower[i];
+        }
+    }
+    for (uint32_t i = 0; i < n; i++) {
+        const bool is_between = (entry[i] > 0) & (value[i] < upper[i]);
+        const double between = (value[i] - lower[i]) / (upper[i] - lower[i]);
+
+        b->low[i] = (uint32_t)(is_between ? entry[i] - 1 : entry[i]);
+        b->between[i] = is_between ? between : 0.0;
+    }
 }
 
 static void sum_weights(blending *b, uint32_t count)
@@ -50,12 +79,24 @@ void blend_find(blending *b, blend kind, const float *values, uint32_t count, co
         sum_weights(b, count);
         return;
     }
-    b->present = 0;
+    if (kind == BLEND_MAP && count <= MAP_SHORT) {
+        find_short(values, count, value, lanes_whole(n), b);
+        return;
+    }
     for (uint32_t i = 0; i < n; i++) {
         if (kind == BLEND_LIST)
             find_member(b, count, value[i], i);
         else
             find_between(b, count, value[i], i);
+    }
+}
+
+void blend_mark(blending *b)
+{
+    if (b->kind != BLEND_MAP && b->kind != BLEND_LIST)
+        return;
+    b->present = 0;
+    for (uint32_t i = 0; i < b->n; i++) {
         b->present |= (uint64_t)1 << (b->low[i] & 63);
         if (b->between[i] != 0.0)
             b->present |= (uint64_t)1 << ((b->low[i] + 1) & 63);

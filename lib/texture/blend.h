@@ -19,8 +19,10 @@ typedef struct blending {
     double between[LANES_MAX];
 } blending;
 
-/* From the values of a pattern at n points; an average needs none. */
+/* From the values of a pattern at n points; an average needs none. Lanes up to lanes_whole(n) may be read. */
 void blend_find(blending *b, blend kind, const float *values, uint32_t count, const double *value, uint32_t n);
+/* Find which members are there, for blend_lanes() to be quicker. */
+void blend_mark(blending *b);
 /* From the parts that n points are on, of `count` members. */
 void blend_find_parts(blending *b, const texture_part *parts, uint32_t count, uint32_t n);
 /* The lanes that have a share of a member, and it. Returns how many. */

@@ -251,6 +251,7 @@ static void find(const model *m, const normal_node *of, const texture_points *in
     if (of->blend != BLEND_AVERAGE)
         points_values(&in, value);
     blend_find(b, of->blend, of->values, of->count, value, n);
+    blend_mark(b);
 }
 
 static void blend_members(const model *m, const normal_node *of, const texture_points *points, uint32_t n,

@@ -74,6 +74,7 @@ static void blend_members(const model *m, const pigment_node *of, const texture_
 
     points_enter(m, of->pattern, points, n, &inner);
     find(m, of, &inner, &inner.at, n, &b);
+    blend_mark(&b);
     memset(out, 0, n * sizeof *out);
     for (uint32_t k = 0; k < of->count; k++)
         add_member(m, of->pigments[k], &b, k, &inner, out);

@@ -32,7 +32,8 @@ static void put(const part *p, uint32_t i, const texture *layer, const pigment *
     out->pigment = *value;
     out->finish = &layer->finish;
     out->bent = layer->normal != NULL;
-    out->normal = lanes_at(normal, i);
+    if (out->bent)
+        out->normal = lanes_at(normal, i);
 }
 
 /* Without a surface there is no normal. */
@@ -44,7 +45,12 @@ static void find_normals(const model *m, const texture *layer, const texture_poi
         normal_eval(m, layer->normal, p->around, points, p->n, out);
 }
 
-static bool asks(const pattern *p, unsigned flag) { return p && p->class->flags & flag; }
+static bool pigment_asks(const pigment_node *p, unsigned flag);
+
+static bool asks(const pattern *p, unsigned flag)
+{
+    return p && (p->class->flags & flag || (p->class->inner && pigment_asks(p->class->inner(p->self), flag)));
+}
 
 static bool pigment_asks(const pigment_node *p, unsigned flag)
 {
@@ -101,7 +107,8 @@ static void add_stack(terms *t, const texture *of, const texture_points *points,
     for (uint32_t k = 0; k < count; k++) {
         const texture *layer = layers[count - 1 - k];
 
-        find_normals(t->model, layer, points, p, &normals);
+        if (layer->normal)
+            find_normals(t->model, layer, points, p, &normals);
         find_pigments(t->model, layer, points, p->n, &normals, pigments);
         for (uint32_t i = 0; i < p->n; i++) {
             texture_term *out = &t->items[t->count + i * count + k];
@@ -130,6 +137,7 @@ static void find(const model *m, const texture *of, const texture_points *points
     if (of->blend != BLEND_AVERAGE)
         points_values(&in, value);
     blend_find(b, of->blend, of->values, of->count, value, n);
+    blend_mark(b);
 }
 
 static void add_terms(terms *t, const texture *of, const texture_points *points, const part *p);

@@ -30,7 +30,7 @@ typedef struct texture_term {
     float share;                 /* of the stack; the shares of a lane's stacks add up to 1 */
     pigment pigment;
     const finish *finish;
-    pov_vec3 normal;             /* unit, of the world, as given or perturbed */
+    pov_vec3 normal;             /* where it is bent: unit, of the world */
 } texture_term;
 
 /* Transform a world point to the texture's space. map NULL: it is the world. */

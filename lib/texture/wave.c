@@ -34,16 +34,13 @@ static void fold_far(double frequency, double phase, uint32_t n, double *value)
     }
 }
 
-SIMD_CLONES static double largest(double frequency, double phase, uint32_t n, const double *restrict value)
+SIMD_CLONES static bool are_near(double frequency, double phase, uint32_t n, const double *restrict value)
 {
-    double most = 0.0;
+    int64_t near = -1;
 
-    for (uint32_t i = 0; i < n; i++) {
-        const double size = fabs(value[i] * frequency + phase);
-
-        most = size < most ? most : size;
-    }
-    return most;
+    for (uint32_t i = 0; i < n; i++)
+        near &= fabs(value[i] * frequency + phase) < wave_near ? -1 : 0;
+    return near != 0;
 }
 
 /* Without a frequency values keep their place, but for negative ones. */
@@ -57,7 +54,7 @@ static void fold(const wave *w, uint32_t n, double *value)
 {
     if (w->frequency == 0.0f)
         fold_negative(n, value);
-    else if (largest(w->frequency, w->phase, n, value) < wave_near)
+    else if (are_near(w->frequency, w->phase, n, value))
         fold_near(w->frequency, w->phase, n, value);
     else
         fold_far(w->frequency, w->phase, n, value);

@@ -75,11 +75,32 @@ static void components_of_a_blob_share_by_their_parts_of_the_field(void **state)
                "sphere { <0,-.3,0>, 1, .5 pigment { rgb z }" LIT "} }", 0.5784, 0.5662);
 }
 
+/* What a pigment inside of a pattern asks of the surface is there. */
+static void inner_pigments_know_where_the_surface_is_seen_from(void **state)
+{
+    static const char *const pigments[2] = { "aoi", "pigment_pattern { aoi }" };
+    enum { W = 12, H = 9 };
+    float *p[2];
+    char text[512];
+
+    (void)state;
+    for (int k = 0; k < 2; k++) {
+        snprintf(text, sizeof text, EYES "sphere { 0, 1 pigment { %s color_map { [0 rgb 1] [1 rgb x] } } " LIT "}", pigments[k]);
+        p[k] = scenes_draw(text, W, H, 1, 1);
+    }
+    for (int k = 0; k < 4 * W * H; k++)
+        if (fabs((double)p[0][k] - (double)p[1][k]) > 1e-5)
+            fail_msg("component %d: %f and %f", k, (double)p[0][k], (double)p[1][k]);
+    free(p[0]);
+    free(p[1]);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(members_that_a_list_does_not_give_are_the_defaults),
         cmocka_unit_test(components_of_a_blob_share_by_their_parts_of_the_field),
+        cmocka_unit_test(inner_pigments_know_where_the_surface_is_seen_from),
         cmocka_unit_test(bumps_turn_with_the_blend_that_they_are_in),
     };
 
