@@ -151,7 +151,8 @@ static int64_t whole_of(double sharpness)
     return sharpness >= 1.0 && sharpness <= APPEARANCE_POWER_LANES && sharpness == floor(sharpness) ? (int64_t)sharpness : 0;
 }
 
-static void set_rich(rich_finishes *r, uint32_t i, const appearance *a, const model *m, pov_vec3 point)
+/* kinds: what some surface has; the rest is not asked for. */
+static void set_rich(rich_finishes *r, uint32_t i, const appearance *a, uint32_t kinds, const model *m, pov_vec3 point)
 {
     const finish *f = a->finish;
     const bool both = a->material->double_illuminate;
@@ -160,14 +161,20 @@ static void set_rich(rich_finishes *r, uint32_t i, const appearance *a, const mo
     r->both_sides[i] = both ? 1.0f : 0.0f;
     r->phong[i] = f->phong;
     r->phong_size[i] = (double)f->phong_size;
-    r->specular[i] = f->specular;
-    r->sharpness[i] = 1.0 / f->roughness;
-    r->whole[i] = whole_of(r->sharpness[i]);
-    r->metallic[i] = f->metallic;
     r->brilliance[i] = f->brilliance;
-    r->irid[i] = f->irid.amount;
-    r->thickness[i] = f->irid.amount != 0.0f ? film_thickness(m, f, point) : 0.0;
-    r->crand[i] = f->crand;
+    if (kinds & FINISH_SPECULAR) {
+        r->specular[i] = f->specular;
+        r->sharpness[i] = 1.0 / f->roughness;
+        r->whole[i] = whole_of(r->sharpness[i]);
+    }
+    if (kinds & FINISH_METAL)
+        r->metallic[i] = f->metallic;
+    if (kinds & FINISH_IRID) {
+        r->irid[i] = f->irid.amount;
+        r->thickness[i] = f->irid.amount != 0.0f ? film_thickness(m, f, point) : 0.0;
+    }
+    if (kinds & FINISH_CRAND)
+        r->crand[i] = f->crand;
 }
 
 void brdf_begin(finishes *f, const model *m, const surfaces *on)
@@ -191,5 +198,5 @@ void brdf_begin(finishes *f, const model *m, const surfaces *on)
     f->count = count;
     f->kinds = kinds;
     for (uint32_t k = 0; kinds && k < count; k++)
-        set_rich(&f->rich, f->lit[k], on->at[f->lit[k]].appearance, m, lanes_at(&on->geometry.to.point, f->lit[k]));
+        set_rich(&f->rich, f->lit[k], on->at[f->lit[k]].appearance, kinds, m, lanes_at(&on->geometry.to.point, f->lit[k]));
 }

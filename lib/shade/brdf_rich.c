@@ -9,6 +9,7 @@ typedef struct SIMD_ALIGNED parts {
     float phong[BATCH_MAX], specular[BATCH_MAX];   /* highlights */
     float red[BATCH_MAX], green[BATCH_MAX], blue[BATCH_MAX];   /* ... and their colour */
     double half_cos[BATCH_MAX];  /* between the normal and the direction half path_cos between light and ray */
+    double base[BATCH_MAX], raised[BATCH_MAX];
     uint32_t odd[BATCH_MAX];
 } parts;
 
@@ -98,14 +99,25 @@ SIMD_CLONES static uint32_t phong_plain(parts *restrict p, const finishes *restr
     return odd;
 }
 
-SIMD_CLONES static void phong_powers(parts *restrict p, const finishes *restrict f, const light_sample *restrict s, uint32_t n)
+/* In a loop of its own: compilers that know the bounds of the base do not vectorise it. */
+SIMD_CLONES static void raise(parts *restrict p, const double *restrict exponent, uint32_t n)
 {
-    for (uint32_t i = 0; i < n; i++) {
-        const double cosine = s->specular_cos[i] > 0.0 ? s->specular_cos[i] : 0.0;
-        const float power = (float)elementary_pow(cosine, f->rich.phong_size[i]);
+    for (uint32_t i = 0; i < n; i++)
+        p->raised[i] = elementary_pow(p->base[i], exponent[i]);
+}
 
-        p->phong[i] = p->odd[i] ? f->rich.phong[i] * power : p->phong[i];
-    }
+SIMD_CLONES static void take_phong(parts *restrict p, const finishes *restrict f, uint32_t n)
+{
+    for (uint32_t i = 0; i < n; i++)
+        p->phong[i] = p->odd[i] ? f->rich.phong[i] * (float)p->raised[i] : p->phong[i];
+}
+
+static void phong_powers(parts *p, const finishes *f, const light_sample *s, uint32_t n)
+{
+    for (uint32_t i = 0; i < n; i++)
+        p->base[i] = s->specular_cos[i] > 0.0 ? s->specular_cos[i] : 0.0;
+    raise(p, f->rich.phong_size, n);
+    take_phong(p, f, n);
 }
 
 static inline void set_half(parts *p, const light_sample *s, const geometry *g, uint32_t i, pov_vec3 to_light)
@@ -145,14 +157,18 @@ SIMD_CLONES static uint32_t specular_plain(parts *restrict p, const finishes *re
     return odd;
 }
 
-SIMD_CLONES static void specular_powers(parts *restrict p, const finishes *restrict f, uint32_t n)
+SIMD_CLONES static void take_specular(parts *restrict p, const finishes *restrict f, uint32_t n)
 {
-    for (uint32_t i = 0; i < n; i++) {
-        const double half_cos = p->half_cos[i] < 1.0 ? p->half_cos[i] : 1.0;
-        const float power = visible(elementary_pow(half_cos, f->rich.sharpness[i]));
+    for (uint32_t i = 0; i < n; i++)
+        p->specular[i] = p->odd[i] ? f->rich.specular[i] * visible(p->raised[i]) : p->specular[i];
+}
 
-        p->specular[i] = p->odd[i] ? f->rich.specular[i] * power : p->specular[i];
-    }
+static void specular_powers(parts *p, const finishes *f, uint32_t n)
+{
+    for (uint32_t i = 0; i < n; i++)
+        p->base[i] = p->half_cos[i] < 1.0 ? p->half_cos[i] : 1.0;
+    raise(p, f->rich.sharpness, n);
+    take_specular(p, f, n);
 }
 
 static void find_specular(parts *p, const finishes *f, const light_sample *s, const vec_lanes *dir, uint32_t n)
@@ -176,15 +192,26 @@ SIMD_CLONES static void no_highlights(parts *restrict p, uint32_t n)
     }
 }
 
-SIMD_CLONES static void metal(parts *restrict p, const finishes *restrict f, const double *restrict cosines, bool fresnel, uint32_t n)
+SIMD_CLONES static void dye(parts *restrict p, const finishes *restrict f, const double *restrict loss, uint32_t n)
 {
     for (uint32_t i = 0; i < n; i++) {
-        const float share = f->rich.metallic[i] * (fresnel ? (float)(1.0 - highlight_fresnel(fabs(cosines[i]))) : 1.0f);
+        const float share = f->rich.metallic[i] * (float)(1.0 - loss[i]);
 
         p->red[i] = 1.0f + share * (f->red[i] - 1.0f);
         p->green[i] = 1.0f + share * (f->green[i] - 1.0f);
         p->blue[i] = 1.0f + share * (f->blue[i] - 1.0f);
     }
+}
+
+static void metal(parts *p, const finishes *f, const double *cosines, bool fresnel, uint32_t n)
+{
+    double loss[BATCH_MAX];
+
+    for (uint32_t i = 0; i < n; i++)
+        loss[i] = fresnel ? fabs(cosines[i]) : 0.0;
+    if (fresnel)
+        highlight_fresnel_lanes(loss, n);
+    dye(p, f, loss, n);
 }
 
 static void highlights(parts *p, const finishes *f, const model *m, const light_sample *s, const vec_lanes *dir, uint32_t n)

@@ -46,14 +46,24 @@ static inline double highlight_product(double cosine, int64_t power, bool low)
 
 /* A rational fit of metal's loss of colour towards grazing light, by the angle of incidence as a fraction of 90
  * degrees. */
-static inline double highlight_fresnel(double cosine)
+SIMD_INLINE double highlight_fresnel_loss(double angle)
 {
-    const double quarter = 1.57079632679489661923, known = cosine < 1.0 ? cosine : 1.0;
-    const double x = elementary_acos(known > -1.0 ? known : -1.0) / quarter - 1.12;
-    const double loss = 0.014567225 / (x * x) - 0.011612903;
+    const double quarter = 1.57079632679489661923, x = angle / quarter - 1.12;
+    const double loss = 0.014567225 / (x * x) - 0.011612903, most = loss < 1.0 ? loss : 1.0;
 
-    return loss > 0.0 ? (loss < 1.0 ? loss : 1.0) : 0.0;
+    return loss > 0.0 ? most : 0.0;
 }
+
+SIMD_INLINE double highlight_known(double cosine)
+{
+    const double most = cosine < 1.0 ? cosine : 1.0;
+
+    return most > -1.0 ? most : -1.0;
+}
+
+static inline double highlight_fresnel(double cosine) { return highlight_fresnel_loss(elementary_acos(highlight_known(cosine))); }
+/* The same for cosines side by side, in their place. */
+void highlight_fresnel_lanes(double *value, uint32_t n);
 
 /* Colour of a highlight; cosine is the one between normal and light. For a metal: */
 colour highlight_metal(const model *m, const appearance *of, double cosine);

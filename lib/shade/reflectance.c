@@ -4,51 +4,111 @@
 #include "shade/film.h"
 #include "shade/highlight.h"
 
-double reflectance_fresnel(double cosine, double ratio)
+/* The branches of a path's Fresnel equations, as choices. */
+SIMD_INLINE double fresnel_of(double cosine, double ratio)
 {
-    const double squared = ratio * ratio - (1.0 - cosine * cosine);
-    double ahead, across, along;
+    const double squared = ratio * ratio - (1.0 - cosine * cosine), ahead = sqrt(squared > 0.0 ? squared : 0.0);
+    const double across = (cosine - ahead) / (cosine + ahead);
+    const double along = (ratio * ratio * cosine - ahead) / (ratio * ratio * cosine + ahead);
+    const double both = 0.5 * (across * across + along * along), some = squared > 0.0 ? both : 1.0;
 
-    if (ratio == 1.0)
-        return 0.0;
-    if (!(squared > 0.0))
-        return 1.0;
-    ahead = sqrt(squared);
-    across = (cosine - ahead) / (cosine + ahead);
-    along = (ratio * ratio * cosine - ahead) / (ratio * ratio * cosine + ahead);
-    return 0.5 * (across * across + along * along);
+    return ratio == 1.0 ? 0.0 : some;
 }
+
+double reflectance_fresnel(double cosine, double ratio) { return fresnel_of(cosine, ratio); }
+
+/* ---- surfaces side by side ---- */
+
+/* Surfaces whose reflection depends on the angle, and how, by lane. */
+typedef struct SIMD_ALIGNED reflectances {
+    double cosine[BATCH_MAX], ratio[BATCH_MAX], falloff[BATCH_MAX];
+    float min[3][BATCH_MAX], max[3][BATCH_MAX], color[3][BATCH_MAX], metallic[BATCH_MAX];
+    int64_t fresnel[BATCH_MAX];
+    double course[BATCH_MAX];    /* from min to max */
+    float share[BATCH_MAX];      /* of the pigment's colour */
+    float by[3][BATCH_MAX];      /* what is reflected */
+    uint32_t count;
+    uint8_t of[BATCH_MAX];       /* the surface */
+    bool has_fresnel, has_powers, has_metal;
+} reflectances;
 
 /* A cosine below 0 is of a normal that is bent beyond the horizon: as in POV-Ray Fresnel's reflection is whole there. */
-static double course(const reflection *r, double cosine, double ratio)
+SIMD_CLONES static void add_fresnel(reflectances *restrict m, uint32_t n)
 {
-    const double away = 1.0 - cosine;
+    for (uint32_t i = 0; i < n; i++) {
+        const double ahead = fresnel_of(m->cosine[i], m->ratio[i]), whole = m->cosine[i] < 0.0 ? 1.0 : ahead;
 
-    if (r->fresnel)
-        return cosine < 0.0 ? 1.0 : reflectance_fresnel(cosine, ratio);
-    return r->falloff == 1.0f ? away : elementary_pow(away > 0.0 ? away : 0.0, (double)r->falloff);
-}
-
-static inline float mix(float a, float b, float share) { return a + (b - a) * share; }
-
-static colour mixed(colour a, colour b, float share)
-{
-    return colour_of(mix(a.r, b.r, share), mix(a.g, b.g, share), mix(a.b, b.b, share));
-}
-
-colour reflectance_of(const model *m, const finish *f, colour c, double cosine, double ratio)
-{
-    const reflection *r = &f->reflection;
-    colour by = r->min;
-
-    if (!colour_equal(r->min, r->max))
-        by = mixed(r->min, r->max, (float)course(r, cosine, ratio));
-    if (r->metallic != 0.0f) {
-        const float share = r->metallic * (m->fresnel_metallic ? (float)(1.0 - highlight_fresnel(cosine)) : 1.0f);
-
-        by = colour_mul(by, mixed(colour_of(1.0f, 1.0f, 1.0f), c, share));
+        m->course[i] = m->fresnel[i] ? whole : m->course[i];
     }
-    return by;
+}
+
+SIMD_CLONES static void find_away(reflectances *restrict m, uint32_t n)
+{
+    for (uint32_t i = 0; i < n; i++)
+        m->course[i] = 1.0 - m->cosine[i];
+}
+
+/* In a loop of its own: compilers that know the bounds of the base do not vectorise it. */
+SIMD_CLONES static void raise(const reflectances *restrict m, uint32_t n, double *restrict value)
+{
+    for (uint32_t i = 0; i < n; i++)
+        value[i] = elementary_pow(value[i], m->falloff[i]);
+}
+
+static void add_powers(reflectances *m, uint32_t n)
+{
+    double power[BATCH_MAX];
+
+    for (uint32_t i = 0; i < n; i++)
+        power[i] = m->course[i] > 0.0 ? m->course[i] : 0.0;
+    raise(m, n, power);
+    for (uint32_t i = 0; i < n; i++)
+        m->course[i] = m->falloff[i] == 1.0 ? m->course[i] : power[i];
+}
+
+SIMD_CLONES static void mix_colours(reflectances *restrict m, int k, uint32_t n)
+{
+    for (uint32_t i = 0; i < n; i++)
+        m->by[k][i] = m->min[k][i] + (m->max[k][i] - m->min[k][i]) * (float)m->course[i];
+}
+
+static void find_shares(reflectances *m, bool fresnel, uint32_t n)
+{
+    double loss[BATCH_MAX];
+
+    for (uint32_t i = 0; i < n; i++)
+        loss[i] = fresnel ? m->cosine[i] : 0.0;
+    if (fresnel)
+        highlight_fresnel_lanes(loss, n);
+    for (uint32_t i = 0; i < n; i++)
+        m->share[i] = m->metallic[i] * (float)(1.0 - loss[i]);
+}
+
+SIMD_CLONES static void dye(reflectances *restrict m, int k, uint32_t n)
+{
+    for (uint32_t i = 0; i < n; i++) {
+        const float dyed = m->by[k][i] * (1.0f + (m->color[k][i] - 1.0f) * m->share[i]);
+
+        m->by[k][i] = m->metallic[i] != 0.0f ? dyed : m->by[k][i];
+    }
+}
+
+static void find_all(reflectances *m, const model *of)
+{
+    const uint32_t n = m->count;
+
+    find_away(m, n);
+    if (m->has_powers)
+        add_powers(m, n);
+    if (m->has_fresnel)
+        add_fresnel(m, n);
+    if (m->has_metal)
+        find_shares(m, of->fresnel_metallic, n);
+    for (int k = 0; k < 3; k++) {
+        mix_colours(m, k, n);
+        if (m->has_metal)
+            dye(m, k, n);
+    }
 }
 
 /* The ior of the object over that of the dielectric entered last, and the inverse where the ray leaves the only one. That
@@ -66,11 +126,37 @@ static double ratio_at(const shade_context *c, const surface *s)
     return in.count == 1 && crossing.index == 0 ? 1.0 / own : own / crossing.before;
 }
 
-static void set(const shade_context *c, appearance *a, const surface *s, const geometry *g, uint32_t lane)
+static void put_colour(float out[3][BATCH_MAX], uint32_t i, colour c)
+{
+    out[0][i] = c.r;
+    out[1][i] = c.g;
+    out[2][i] = c.b;
+}
+
+static void add_one(const shade_context *c, reflectances *m, const surfaces *s, uint32_t lane)
+{
+    const appearance *a = s->at[lane].appearance;
+    const reflection *r = &a->finish->reflection;
+    const bool has_course = !colour_equal(r->min, r->max), fresnel = has_course && r->fresnel;
+    const uint32_t i = m->count++;
+
+    m->of[i] = (uint8_t)lane;
+    m->cosine[i] = s->geometry.cosine[lane];
+    m->ratio[i] = fresnel ? ratio_at(c, &s->at[lane]) : 1.0;
+    m->falloff[i] = has_course ? (double)r->falloff : 1.0;
+    m->fresnel[i] = fresnel;
+    m->metallic[i] = r->metallic;
+    put_colour(m->min, i, r->min);
+    put_colour(m->max, i, r->max);
+    put_colour(m->color, i, a->pigment);
+    m->has_fresnel |= fresnel;
+    m->has_powers |= m->falloff[i] != 1.0;
+    m->has_metal |= r->metallic != 0.0f;
+}
+
+static void set(const shade_context *c, appearance *a, colour by, const geometry *g, uint32_t lane)
 {
     const finish *f = a->finish;
-    const double ratio = f->reflection.fresnel ? ratio_at(c, s) : 1.0;
-    const colour by = reflectance_of(c->scene->model, f, a->pigment, g->cosine[lane], ratio);
 
     a->reflection = coefficient_of(by);
     if (f->conserve_energy)
@@ -98,26 +184,38 @@ static void fade(const shade_context *c, surface *at)
         fade_inside(c, at->from, at->ray, at->at, &at->faded);
 }
 
+static void set_all(const shade_context *c, surfaces *s, reflectances *m)
+{
+    m->count = 0;
+    m->has_fresnel = m->has_powers = m->has_metal = false;
+    for (uint32_t i = 0; i < s->count; i++) {
+        fade(c, &s->at[i]);
+        if (s->at[i].appearance->angular)
+            add_one(c, m, s, i);
+    }
+    find_all(m, c->scene->model);
+    for (uint32_t k = 0; k < m->count; k++) {
+        const uint32_t i = m->of[k];
+
+        set(c, own_of(s, i), colour_of(m->by[0][k], m->by[1][k], m->by[2][k]), &s->geometry, i);
+    }
+}
+
 void reflectance_set(const shade_context *c, surfaces *s)
 {
-    for (uint32_t i = 0; i < s->count; i++) {
-        surface *at = &s->at[i];
-        appearance *own;
+    reflectances m;
 
-        fade(c, at);
-        if (!at->appearance->angular)
-            continue;
-        own = own_of(s, i);
-        set(c, own, at, &s->geometry, i);
+    set_all(c, s, &m);
+    for (uint32_t k = 0; k < m.count; k++) {
+        appearance *own = &s->varying[m.of[k]];
+
         appearance_set_filter(own, c->scene->model, colour_scale(own->filter.by, own->finish->refraction));
     }
 }
 
 void reflectance_set_layers(const shade_context *c, surfaces *s)
 {
-    for (uint32_t i = 0; i < s->count; i++) {
-        fade(c, &s->at[i]);
-        if (s->at[i].appearance->angular)
-            set(c, own_of(s, i), &s->at[i], &s->geometry, i);
-    }
+    reflectances m;
+
+    set_all(c, s, &m);
 }

@@ -10,7 +10,5 @@ void reflectance_set(const shade_context *c, surfaces *s);
 void reflectance_set_layers(const shade_context *c, surfaces *s);
 /* By Fresnel's equations for light that is not polarised; ratio: the ior ahead over that behind. */
 double reflectance_fresnel(double cosine, double ratio);
-/* The reflected fraction at this cosine between the normal and the direction back, for the ior ahead over that behind. */
-colour reflectance_of(const model *m, const finish *f, colour c, double cosine, double ratio);
 
 #endif

@@ -93,21 +93,55 @@ SIMD_CLONES static void find_holes(const hole_axis axis[3], const vec_lanes *res
     }
 }
 
-SIMD_CLONES static void attract(const warp_black_hole *w, const vec_lanes *restrict center, uint32_t n,
-                                vec_lanes *restrict at)
+SIMD_CLONES static void find_distances(const vec_lanes *restrict center, uint32_t n, const vec_lanes *restrict at, double *restrict out)
+{
+    for (uint32_t i = 0; i < n; i++) {
+        const double x = at->x[i] - center->x[i], y = at->y[i] - center->y[i], z = at->z[i] - center->z[i];
+
+        out[i] = sqrt(x * x + y * y + z * z);
+    }
+}
+
+SIMD_CLONES static void find_inside(double radius, const double *restrict distance, uint32_t n, double *restrict out)
+{
+    for (uint32_t i = 0; i < n; i++) {
+        const double inside = 1.0 - distance[i] / radius;
+
+        out[i] = inside > 0.0 ? inside : 0.0;
+    }
+}
+
+/* In a loop of its own: compilers that know the bounds of the base do not vectorise it. */
+SIMD_CLONES static void raise(double exponent, uint32_t n, double *restrict value)
+{
+    for (uint32_t i = 0; i < n; i++)
+        value[i] = elementary_pow(value[i], exponent);
+}
+
+SIMD_CLONES static void pull(const warp_black_hole *w, const vec_lanes *restrict center, const double *restrict distance,
+                             const double *restrict power, uint32_t n, vec_lanes *restrict at)
 {
     const double sign = w->is_inverse ? -1.0 : 1.0;
 
     for (uint32_t i = 0; i < n; i++) {
         const double x = at->x[i] - center->x[i], y = at->y[i] - center->y[i], z = at->z[i] - center->z[i];
-        const double distance = sqrt(x * x + y * y + z * z), inside = 1.0 - distance / w->radius;
-        const double pull = w->strength * elementary_pow(inside > 0.0 ? inside : 0.0, w->falloff);
-        const double a = distance < w->radius ? sign * (pull < 1.0 ? pull : 1.0) : 0.0;
+        const double strength = w->strength * power[i];
+        const double a = distance[i] < w->radius ? sign * (strength < 1.0 ? strength : 1.0) : 0.0;
 
         at->x[i] += a * x;
         at->y[i] += a * y;
         at->z[i] += a * z;
     }
+}
+
+static void attract(const warp_black_hole *w, const vec_lanes *center, uint32_t n, vec_lanes *at)
+{
+    SIMD_ALIGNED double distance[LANES_MAX], power[LANES_MAX];
+
+    find_distances(center, n, at, distance);
+    find_inside(w->radius, distance, n, power);
+    raise(w->falloff, n, power);
+    pull(w, center, distance, power, n, at);
 }
 
 /* Only holes that are repeated are moved, then on all axes. */
