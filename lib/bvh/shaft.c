@@ -33,7 +33,8 @@ static void make_box(shaft *s)
     s->hi = hi;
 }
 
-bool shaft_make(shaft *s, pov_vec3 from, const pov_vec3 corner[4])
+/* size: of coordinates that were rounded before. */
+static bool make(shaft *s, pov_vec3 from, const pov_vec3 corner[4], double size)
 {
     const pov_vec3 middle = pov_add(pov_add(corner[0], corner[1]), pov_add(corner[2], corner[3]));
     double longest = 0.0;
@@ -43,13 +44,30 @@ bool shaft_make(shaft *s, pov_vec3 from, const pov_vec3 corner[4])
         s->corner[i] = corner[i];
         longest = greater(longest, sum_of(corner[i]));
     }
-    s->size = sum_of(from) + longest;
+    s->size = sum_of(from) + longest + size;
     if (!(s->size < 1e60))
         return false;
     make_box(s);
     for (int i = 0; i < 4; i++)
         make_flank(s, i, middle);
     return true;
+}
+
+bool shaft_make(shaft *s, pov_vec3 from, const pov_vec3 corner[4]) { return make(s, from, corner, 0.0); }
+
+static pov_vec3 turn(const pov_vec3 column[3], pov_vec3 v)
+{
+    return pov_add(pov_add(pov_scale(column[0], v.x), pov_scale(column[1], v.y)), pov_scale(column[2], v.z));
+}
+
+bool shaft_move(const shaft *s, const pov_vec3 column[3], pov_vec3 anchor, pov_vec3 to, shaft *out)
+{
+    const double largest = sum_of(column[0]) + sum_of(column[1]) + sum_of(column[2]);
+    pov_vec3 corner[4];
+
+    for (int i = 0; i < 4; i++)
+        corner[i] = turn(column, s->corner[i]);
+    return make(out, pov_add(turn(column, pov_sub(s->from, anchor)), to), corner, largest * (s->size + sum_of(anchor)) + sum_of(to));
 }
 
 /* A shaft in a frame. */
@@ -169,7 +187,7 @@ bool shaft_search(const bvh *tree, const shaft *s, shaft_leaf_fn *leaf, void *us
     return search_frame(&all, 0);
 }
 
-/* Does the box lie beyond a flank? */
+/* Does a box lie beyond a flank? Of one that is long, only what lies in the shaft's own box is asked for. */
 static bool is_beyond(const shaft *s, int i, const pov_box *box, double size)
 {
     const pov_vec3 n = s->normal[i];
@@ -182,11 +200,13 @@ static bool is_beyond(const shaft *s, int i, const pov_box *box, double size)
 bool shaft_may_overlap(const shaft *s, const pov_box *box)
 {
     const double size = s->size + sum_of(box->lo) + sum_of(box->hi), more = slack * size;
+    const pov_box both = { pov_vec3_of(greater(box->lo.x, s->lo.x - more), greater(box->lo.y, s->lo.y - more), greater(box->lo.z, s->lo.z - more)),
+                           pov_vec3_of(lesser(box->hi.x, s->hi.x + more), lesser(box->hi.y, s->hi.y + more), lesser(box->hi.z, s->hi.z + more)) };
 
     if (box->lo.x - s->hi.x > more || s->lo.x - box->hi.x > more || box->lo.y - s->hi.y > more || s->lo.y - box->hi.y > more ||
         box->lo.z - s->hi.z > more || s->lo.z - box->hi.z > more)
         return false;
-    return !is_beyond(s, 0, box, size) && !is_beyond(s, 1, box, size) && !is_beyond(s, 2, box, size) && !is_beyond(s, 3, box, size);
+    return !is_beyond(s, 0, &both, size) && !is_beyond(s, 1, &both, size) && !is_beyond(s, 2, &both, size) && !is_beyond(s, 3, &both, size);
 }
 
 bool shaft_may_cross(const shaft *s, pov_vec3 normal, double distance)

@@ -17,6 +17,8 @@ typedef struct shaft {
 
 /* corner: the corners of a parallelogram, from `from`, in order around it. False: nothing can be told. */
 bool shaft_make(shaft *s, pov_vec3 from, const pov_vec3 corner[4]);
+/* The same in another space, where a point of this one is column (p - anchor) + to. */
+bool shaft_move(const shaft *s, const pov_vec3 column[3], pov_vec3 anchor, pov_vec3 to, shaft *out);
 /* Ask `leaf` of each leaf whose box the shaft may overlap, until it says false: the result then. */
 typedef bool shaft_leaf_fn(void *user, const void *leaf, const pov_box *box);
 bool shaft_search(const bvh *tree, const shaft *s, shaft_leaf_fn *leaf, void *user);

@@ -34,10 +34,50 @@ static bool add_plane(const asking *a, blocker *b)
     return !shaft_may_cross(a->in, b->plane.normal, b->plane.distance) || a->add(a->user, b);
 }
 
+/* May the shaft overlap the shape's box in its own space? */
+static bool may_overlap_own(const asking *a, const instance_xform *x, const shape_class *shape, const void *self)
+{
+    pov_box own;
+    shaft moved;
+
+    return !shape->bounds(self, &own) || !shaft_move(a->in, x->column, x->anchor, x->own_anchor, &moved) ||
+           shaft_may_overlap(&moved, &own);
+}
+
 /* ---- trees ---- */
 
 /* More are not told apart. */
 enum { MEMBERS_MAX = 16 };
+
+static bool may_overlap_member(const asking *a, const csg_member *m)
+{
+    return !m->boxed || (shaft_may_overlap(a->in, &m->box) && (!m->xform || may_overlap_own(a, m->xform, m->shape, m->instance)));
+}
+
+static bool is_above(const csg_tree *t, uint32_t node, uint32_t below)
+{
+    while (below != node && below != 0)
+        below = t->nodes[below].parent;
+    return below == node;
+}
+
+/* Is what a member shows of its surface within that other one: does an intersection of both stand above it? */
+static bool is_within(const csg_tree *t, const csg_member *m, const csg_member *other)
+{
+    const csg_node *n = &t->nodes[other->node];
+
+    return m != other && n->op == NODE_INTERSECTION && !other->inverse && !other->patch && !other->open && is_above(t, other->node, m->node);
+}
+
+static bool may_show(const asking *a, const csg_tree *t, const csg_member *m)
+{
+    if (!may_overlap_member(a, m))
+        return false;
+    for (uint32_t i = 0; i < t->member_count; i++)
+        if (is_within(t, m, &t->members[i]) && !may_overlap_member(a, &t->members[i]))
+            return false;
+    return true;
+}
 
 /* What a member of a tree shows of its surface lies in the tree's box too. */
 static bool add_member(const asking *a, const csg_tree *t, const csg_member *m)
@@ -51,7 +91,7 @@ static bool add_member(const asking *a, const csg_tree *t, const csg_member *m)
         return (t->boxed && !shaft_may_overlap(a->in, &t->box)) || add_plane(a, &b);
     if (!m->boxed && !t->boxed)
         return false;
-    return !shaft_may_overlap(a->in, &b.box) || a->add(a->user, &b);
+    return !shaft_may_overlap(a->in, &b.box) || !may_show(a, t, m) || a->add(a->user, &b);
 }
 
 static const csg_tree *tree_of(const leaf_batch *r, uint32_t lane)
@@ -86,7 +126,9 @@ static bool add_boxed(const asking *a, const leaf_batch *r, uint32_t lane, const
     } else {
         return false;
     }
-    return !shaft_may_overlap(a->in, &b.box) || a->add(a->user, &b);
+    if (!shaft_may_overlap(a->in, &b.box))
+        return true;
+    return ((r->flags & LEAF_INSTANCED) && !may_overlap_own(a, leaf_batch_xform(r), r->shape, r->instances)) || a->add(a->user, &b);
 }
 
 static bool add_shape(const asking *a, const leaf_batch *r, uint32_t lane, const pov_box *leaf)

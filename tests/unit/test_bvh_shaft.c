@@ -86,6 +86,40 @@ static void a_box_around_a_point_of_a_shaft_overlaps_it(void **state)
     }
 }
 
+/* Columns of a map that turns, stretches and moves. */
+typedef struct moved_to { pov_vec3 column[3], anchor, to; } moved_to;
+
+static pov_vec3 move(const moved_to *m, pov_vec3 p)
+{
+    const pov_vec3 v = pov_sub(p, m->anchor);
+
+    return pov_add(pov_add(pov_scale(m->column[0], v.x), pov_scale(m->column[1], v.y)), pov_add(pov_scale(m->column[2], v.z), m->to));
+}
+
+static void a_moved_shaft_overlaps_boxes_around_moved_points(void **state)
+{
+    int missed = 0;
+    (void)state;
+
+    for (int round = 0; round < 60000; round++) {
+        const double scale = scales[round % 3], other = scales[round / 3 % 3];
+        const moved_to m = { { pov_scale(anywhere(1.0), other), pov_scale(anywhere(1.0), other), pov_scale(anywhere(1.0), other) },
+                             pov_scale(anywhere(round % 2 ? 1e3 : 1.0), scale), pov_scale(anywhere(1.0), scale * other) };
+        area a;
+        shaft moved;
+        pov_vec3 p, away;
+
+        assert_true(make_area(&a, round % 2 ? m.anchor : pov_vec3_of(0.0, 0.0, 0.0), scale));
+        if (!shaft_move(&a.s, m.column, m.anchor, m.to, &moved))
+            continue;
+        p = move(&m, point_in(&a));
+        away = pov_add(p, pov_scale(anywhere(4.0), scale * other));
+        assert_true(shaft_may_overlap(&moved, &(pov_box){ p, p }));
+        missed += !shaft_may_overlap(&moved, &(pov_box){ away, away });
+    }
+    assert_true(missed > 30000);
+}
+
 static void a_plane_between_point_and_area_crosses_the_shaft_and_one_behind_does_not(void **state)
 {
     const pov_vec3 up = { 0.0, 1.0, 0.0 };
@@ -106,6 +140,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(no_point_of_a_shaft_is_in_a_box_that_it_misses),
         cmocka_unit_test(a_box_around_a_point_of_a_shaft_overlaps_it),
+        cmocka_unit_test(a_moved_shaft_overlaps_boxes_around_moved_points),
         cmocka_unit_test(a_plane_between_point_and_area_crosses_the_shaft_and_one_behind_does_not),
     };
 
