@@ -1,103 +1,210 @@
-/* A ray's way through a julia_fractal: long stretches where they are clear, short ones near the surface. What a ray asks next depends on
- * the last answer, so several rays go on side by side, each with its own question. */
+/* Rays' ways through a julia_fractal: long stretches where they are clear, short ones near the surface. What a ray asks next depends on the
+ * last answer, so several rays go on side by side, each with its own question. */
 #include "common/julia.h"
 
 #include "common/clip.h"
+#include "common/lanes.h"
+
+enum { LANES = COMMON_PROBES };
+
+/* The question that is open, but for a stretch: the point at the ray's start; a stretch's end, and its start again; a place between
+ * these; a place of a stretch that crosses once at most. */
+typedef enum question { AT_START, AT_END, AT_FRONT, BETWEEN, OF_ONE } question;
 
 /* Above 0: outside. */
 typedef struct sample { double t, value; uint32_t place; } sample;
 
-/* The question that is open: the point at the ray's start; a stretch; its end, and its start again; a place between these. */
-typedef enum question { AT_START, OF_STRETCH, AT_END, AT_FRONT, BETWEEN } question;
-
-typedef struct march {
-    const common_julia *j;
+typedef struct track {
     pov_hits *hits;
-    pov_vec3 o, d;               /* points at o + t d; numbers change by `rate` t */
-    double base, rate, unit;
+    double base, rate, unit;     /* numbers change by `rate` t */
     double near, side;           /* up to there the value is that of the start: rounding decides nothing */
-    double to, enough;           /* beyond `enough` nothing is wanted */
-    double shortest, length;
     question now;
     double t;                    /* of the question */
-    sample a, b;                 /* the stretch that is looked at */
     sample low, high;            /* around its crossing */
+    bool ends;                   /* `high` is behind the crossing, for certain */
     double from, until, least;   /* values that count there; where it is known well enough */
     uint32_t turn;
-} march;
+} track;
+
+/* Stretches that are looked at, `from` to `end` of points at o + t d; shorter ones than `shortest` are not divided, beyond `enough`
+ * nothing is wanted. All bits or none: `from` is outside; a stretch is the question. */
+typedef struct stretches {
+    double from[LANES], end[LANES], length[LANES], to[LANES], enough[LANES], shortest[LANES], o[3][LANES], d[3][LANES];
+    int64_t out[LANES], asked[LANES];
+} stretches;
+
+typedef struct search {
+    const common_julia *j;
+    uint32_t count;
+    common_probes probes;
+    stretches s;
+    track at[LANES];
+} search;
+
+static pov_vec3 get(double v[3][LANES], uint32_t l) { return pov_vec3_of(v[0][l], v[1][l], v[2][l]); }
+
+static void put(double v[3][LANES], uint32_t l, pov_vec3 a)
+{
+    v[0][l] = a.x;
+    v[1][l] = a.y;
+    v[2][l] = a.z;
+}
+
+/* ---- points ---- */
 
 static bool is_out(sample a) { return a.value > 0.0; }
 
-static void ask(march *m, question now, double t, double off, common_spheres *s, uint32_t lane)
+/* `step`: what slopes are for. */
+static void ask(search *x, uint32_t l, question now, double t, double step)
 {
-    m->now = now;
-    m->t = t;
-    common_spheres_put(s, lane, pov_add(m->o, pov_scale(m->d, t)), off);
+    const pov_vec3 d = get(x->s.d, l);
+
+    x->at[l].now = now;
+    x->at[l].t = t;
+    x->s.asked[l] = 0;
+    common_probe_put(&x->probes, l, pov_add(get(x->s.o, l), pov_scale(d, t)), pov_scale(d, step), 0.0, false);
 }
 
-static sample answer(const march *m, const common_spheres *s, uint32_t lane)
+static sample answer(const search *x, uint32_t l)
 {
-    sample a = { m->t, m->side, 0 };
+    const track *r = &x->at[l];
+    sample a = { r->t, r->side, 0 };
 
-    if (m->t < m->near)
+    if (r->t < r->near)
         return a;
-    a.value = s->square[lane] - m->j->reach * m->j->reach;
+    a.value = x->probes.square[l] - x->j->reach * x->j->reach;
     a.value = a.value == a.value ? a.value : HUGE_VAL;
-    a.place = (uint32_t)s->place[lane];
+    a.place = (uint32_t)x->probes.place[l];
     return a;
 }
 
 /* ---- stretches ---- */
 
 /* Where stretches end does not depend on what is wanted, so that crossings keep their bits whatever else is in the scene. */
-static bool ask_next(march *m, common_spheres *s, uint32_t lane)
+COMMON_INLINE double end_of(double from, double length, double shortest, double to)
 {
-    const double next = m->a.t + (m->length > m->shortest ? m->length : m->shortest), end = next < m->to ? next : m->to;
+    const double next = from + (length > shortest ? length : shortest);
 
-    if (!(m->a.t < m->to && m->a.t <= m->enough))
+    return next < to ? next : to;
+}
+
+/* Goes on behind stretches that are clear, and divides those that may not be. Which of the lanes it did so for, as bits, and above these
+ * which of them ask for a stretch again; what is left of the others keeps as it was. */
+COMMON_CLONES static uint32_t take_stretches(const common_julia *restrict j, stretches *restrict s, common_probes *restrict p)
+{
+    int64_t done[LANES], again[LANES];
+    uint32_t bits = 0;
+
+    for (uint32_t l = 0; l < LANES; l++) {
+        const int64_t asked = s->asked[l], out = s->out[l], left = p->left[l], open = left & p->open[l];
+        const int64_t clear = asked & ((out & ~left) | (~out & left & ~open)), on = clear | (asked & open & ~p->sure[l]);
+        const double shortest = s->shortest[l], before = s->length[l], least = before > shortest ? before : shortest;
+        const double from = clear ? s->end[l] : s->from[l], length = clear ? j->grow * least : j->shrink * before;
+        const double end = end_of(from, length, shortest, s->to[l]), middle = 0.5 * (from + end), half = 0.5 * (end - from);
+        const int64_t more = from < s->to[l] ? on : 0, wanted = from <= s->enough[l] ? more : 0;
+
+        done[l] = on;
+        again[l] = length > shortest ? wanted : 0;
+        s->from[l] = from;
+        s->length[l] = on ? length : before;
+        s->end[l] = on ? end : s->end[l];
+        for (int k = 0; k < 3; k++) {
+            p->p[k][l] = on ? s->o[k][l] + s->d[k][l] * middle : p->p[k][l];
+            p->d[k][l] = on ? s->d[k][l] * half : p->d[k][l];
+        }
+    }
+    for (uint32_t l = 0; l < LANES; l++)
+        bits |= (uint32_t)(done[l] & 1) << l | (uint32_t)(again[l] & 1) << (LANES + l);
+    return bits;
+}
+
+static bool ask_next(search *x, uint32_t l)
+{
+    stretches *s = &x->s;
+    const double from = s->from[l], end = end_of(from, s->length[l], s->shortest[l], s->to[l]);
+    const pov_vec3 d = get(s->d, l);
+
+    if (!(from < s->to[l] && from <= s->enough[l]))
         return false;
-    m->b.t = end;
-    if (m->length > m->shortest)
-        ask(m, OF_STRETCH, 0.5 * (m->a.t + end), 0.5 * (end - m->a.t) * m->rate, s, lane);
-    else
-        ask(m, AT_END, end, 0.0, s, lane);
+    s->end[l] = end;
+    if (s->length[l] > s->shortest[l]) {
+        s->asked[l] = -1;
+        common_probe_put(&x->probes, l, pov_add(get(s->o, l), pov_scale(d, 0.5 * (from + end))), pov_scale(d, 0.5 * (end - from)), 0.0, true);
+    } else {
+        ask(x, l, AT_END, end, 0.0);
+    }
     return true;
 }
 
-static bool go_on(march *m, common_spheres *s, uint32_t lane)
+/* Behind a stretch, at whose end the ray is outside or not. */
+static bool go_on(search *x, uint32_t l, bool out)
 {
-    m->a = m->b;
-    m->length = 2.0 * (m->length > m->shortest ? m->length : m->shortest);
-    return ask_next(m, s, lane);
+    stretches *s = &x->s;
+
+    s->from[l] = s->end[l];
+    s->length[l] = x->j->grow * (s->length[l] > s->shortest[l] ? s->length[l] : s->shortest[l]);
+    s->out[l] = -(int64_t)out;
+    return ask_next(x, l);
 }
 
-static bool take_stretch(march *m, common_spheres *s, uint32_t lane)
+/* It is crossed once at most. */
+static bool take_sure(search *x, uint32_t l)
 {
-    const common_side side = common_spheres_side(s, lane);
+    const double from = x->s.from[l], end = x->s.end[l], half = 0.5 * (end - from), slope = x->probes.slope[l];
+    const double t = 0.5 * (from + end) + half * (x->j->reach * x->j->reach - x->probes.square[l]) / slope;
+    const bool out = x->s.out[l] != 0;
+    track *r = &x->at[l];
 
+    if (out == (slope > 0.0))
+        return go_on(x, l, out);
+    r->low.t = from;
+    r->high.t = end;
+    r->ends = false;
+    r->turn = 0;
+    ask(x, l, OF_ONE, t > from && t < end ? t : end, half);
+    return true;
+}
+
+/* Where it is clear, but not as its start was said to be, that is not true. */
+static bool take_stretch(search *x, uint32_t l)
+{
+    const common_side side = common_probe_side(&x->probes, l);
+    const bool out = x->s.out[l] != 0;
+
+    if (side == COMMON_OPEN && x->probes.sure[l])
+        return take_sure(x, l);
     if (side == COMMON_OPEN) {
-        m->length *= 0.25;
-        return ask_next(m, s, lane);
+        x->s.length[l] *= x->j->shrink;
+        return ask_next(x, l);
     }
-    if ((side == COMMON_OUT) != is_out(m->a)) {
-        ask(m, AT_END, m->b.t, 0.0, s, lane);
-        return true;
-    }
-    m->b.value = m->a.value;
-    m->b.place = m->a.place;
-    return go_on(m, s, lane);
+    if ((side == COMMON_OUT) == out)
+        return go_on(x, l, out);
+    ask(x, l, AT_END, x->s.end[l], 0.0);
+    return true;
 }
 
-static bool take_end(march *m, common_spheres *s, uint32_t lane)
+static bool take_end(search *x, uint32_t l)
 {
-    m->b = answer(m, s, lane);
-    if (is_out(m->a) == is_out(m->b))
-        return go_on(m, s, lane);
-    ask(m, AT_FRONT, m->a.t, 0.0, s, lane);
+    const sample end = answer(x, l);
+
+    if (is_out(end) == (x->s.out[l] != 0))
+        return go_on(x, l, is_out(end));
+    x->at[l].high = end;
+    ask(x, l, AT_FRONT, x->s.from[l], 0.0);
     return true;
 }
 
 /* ---- crossings ---- */
+
+/* False: nothing more is wanted. */
+static bool report(const search *x, uint32_t l, double at, uint32_t place)
+{
+    const track *r = &x->at[l];
+    const pov_two t = pov_two_sum(r->base, at);
+    const pov_mark mark = { place, 0, 0.0, 0.0 };
+
+    return pov_cross(r->hits, t.hi * r->unit, t.lo * r->unit, mark) && !(r->hits->want == POV_WANT_NEAREST && t.hi * r->unit > r->hits->tmin);
+}
 
 /* What is left of the value that stays, where the other one becomes `next` from `before` (Anderson and Bjorck). */
 static double weight(double next, double before)
@@ -108,71 +215,89 @@ static double weight(double next, double before)
 }
 
 /* Each guess goes a little beyond the root, so that both sides come near. */
-static void aim(march *m, common_spheres *s, uint32_t lane)
+static bool ask_between(search *x, uint32_t l)
 {
-    const double low = m->low.t, high = m->high.t, share = m->from / (m->from - m->until);
+    track *r = &x->at[l];
+    const double low = r->low.t, high = r->high.t, share = r->from / (r->from - r->until);
     double guess;
 
-    m->least = 0x1p-50 * (fabs(low) + m->j->reach / m->rate);
-    guess = low + share * (high - low) + (share < 0.5 ? 0.5 : -0.5) * m->least;
-    ask(m, BETWEEN, m->turn++ % 8 < 7 && guess > low && guess < high ? guess : 0.5 * (low + high), 0.0, s, lane);
-}
-
-/* False: nothing more is wanted. */
-static bool report(const march *m, sample at)
-{
-    const pov_two t = pov_two_sum(m->base, at.t);
-    const pov_mark mark = { at.place, 0, 0.0, 0.0 };
-    pov_hits *hits = m->hits;
-
-    return pov_cross(hits, t.hi * m->unit, t.lo * m->unit, mark) && !(hits->want == POV_WANT_NEAREST && t.hi * m->unit > hits->tmin);
-}
-
-static bool take_front(march *m, common_spheres *s, uint32_t lane)
-{
-    m->low = answer(m, s, lane);
-    m->high = m->b;
-    m->from = m->low.value;
-    m->until = m->high.value;
-    m->turn = 0;
-    aim(m, s, lane);
+    r->least = 0x1p-50 * (fabs(low) + x->j->reach / r->rate);
+    guess = low + share * (high - low) + (share < 0.5 ? 0.5 : -0.5) * r->least;
+    ask(x, l, BETWEEN, r->turn++ % 8 < 7 && guess > low && guess < high ? guess : 0.5 * (low + high), 0.0);
     return true;
+}
+
+static bool take_front(search *x, uint32_t l)
+{
+    track *r = &x->at[l];
+
+    r->low = answer(x, l);
+    r->from = r->low.value;
+    r->until = r->high.value;
+    r->turn = 0;
+    return ask_between(x, l);
 }
 
 /* Between two points on different sides; a place beyond the last is none. The side whose value has stayed counts for less the next
  * time. */
-static bool take_between(march *m, common_spheres *s, uint32_t lane)
+static bool take_between(search *x, uint32_t l)
 {
     static const uint32_t TURNS = 200;
-    const sample c = answer(m, s, lane);
-    const bool is_within = c.t > m->low.t && c.t < m->high.t, is_low = is_out(c) == is_out(m->low);
+    track *r = &x->at[l];
+    const sample c = answer(x, l);
+    const bool is_within = c.t > r->low.t && c.t < r->high.t, is_low = is_out(c) == is_out(r->low);
 
     if (is_within && is_low) {
-        m->until *= weight(c.value, m->from);
-        m->low = c;
-        m->from = c.value;
+        r->until *= weight(c.value, r->from);
+        r->low = c;
+        r->from = c.value;
     } else if (is_within) {
-        m->from *= weight(c.value, m->until);
-        m->high = c;
-        m->until = c.value;
+        r->from *= weight(c.value, r->until);
+        r->high = c;
+        r->until = c.value;
     }
-    if (is_within && m->high.t - m->low.t > m->least && m->turn < TURNS) {
-        aim(m, s, lane);
-        return true;
-    }
-    return report(m, is_out(m->low) ? m->low : m->high) && go_on(m, s, lane);
+    if (is_within && r->high.t - r->low.t > r->least && r->turn < TURNS)
+        return ask_between(x, l);
+    return report(x, l, is_out(r->low) ? r->low.t : r->high.t, is_out(r->low) ? r->low.place : r->high.place) &&
+           go_on(x, l, x->s.out[l] == 0);
+}
+
+/* Newton's method between two points; a step below SMALL of the stretch leaves an error of its square. */
+static bool take_one(search *x, uint32_t l)
+{
+    static const double SMALL = 0x1p-26;
+    static const uint32_t TURNS = 100;
+    track *r = &x->at[l];
+    const double length = x->s.end[l] - x->s.from[l];
+    const sample c = answer(x, l);
+    const double next = c.t - 0.5 * length * c.value / x->probes.slope[l];
+    const bool out = x->s.out[l] != 0, is_low = is_out(c) == out, is_near = c.t < r->near;
+    double t = 0.5 * (r->low.t + r->high.t);
+
+    if (is_low && c.t >= x->s.end[l])
+        return go_on(x, l, out);
+    *(is_low ? &r->low.t : &r->high.t) = c.t;
+    r->ends = r->ends || !is_low;
+    if (!is_near && next >= r->low.t && next <= r->high.t)
+        t = next;
+    else if (!is_near && next > r->high.t && !r->ends)
+        t = r->high.t;
+    if ((t == next && fabs(t - c.t) <= SMALL * length) || r->turn++ > TURNS)
+        return report(x, l, t, x->j->places - 1) && go_on(x, l, !out);
+    ask(x, l, OF_ONE, t, 0.5 * length);
+    return true;
 }
 
 /* ---- rays ---- */
 
 /* A ray that starts on the surface: on which side it goes on. */
-static double side_ahead(const march *m, const pov_ray *ray)
+static double side_ahead(const common_julia *j, const pov_ray *ray, pov_vec3 o, pov_vec3 d)
 {
     const uint32_t flags = ray->origin_mark.flags;
 
     if (flags & (POV_MARK_OUTWARD | POV_MARK_INWARD))
         return flags & POV_MARK_OUTWARD ? 0x1p-1000 : 0.0;
-    return pov_dot(common_julia_slope(m->j, m->o, ray->origin_mark.feature), m->d) >= 0.0 ? 0x1p-1000 : 0.0;
+    return pov_dot(common_julia_slope(j, o, ray->origin_mark.feature), d) >= 0.0 ? 0x1p-1000 : 0.0;
 }
 
 /* Of the number, for a step of length 1 along the ray. */
@@ -183,75 +308,98 @@ static double rate_of(const common_julia *j, pov_vec3 d)
     return sqrt(pov_dot(d, d) + last * last);
 }
 
-/* False: the ray does not come near. */
-static bool begin(march *m, const common_julia *j, const pov_ray *ray, pov_hits *hits, common_spheres *s, uint32_t lane)
+/* Into the next lane. What comes from outside the box is outside. */
+static void begin(search *x, const pov_ray *ray, pov_hits *hits)
 {
     static const pov_vec3 zero = { 0.0, 0.0, 0.0 };
     const common_ray k = common_enter(ray, pov_two3_of(zero, zero), 1.0);
+    const bool from_here = ray->origin_surface == hits->owner;
+    const uint32_t l = x->count;
+    track *r = &x->at[l];
+    stretches *s = &x->s;
     common_span span;
 
-    if (!common_clip(&k, j->box.lo, j->box.hi, &span) || span.hi <= 0.0 || span.lo * k.unit > hits->tmax)
-        return false;
-    m->j = j;
-    m->hits = hits;
-    m->base = span.lo > 0.0 ? span.lo : 0.0;
-    m->o = common_along(&k, m->base);
-    m->d = k.d;
-    m->rate = rate_of(j, k.d);
-    m->unit = k.unit;
-    m->near = m->side = 0.0;
-    m->to = span.hi - m->base;
-    m->enough = hits->tmax * k.per_unit * (1.0 + 0x1p-20) - m->base;
-    m->shortest = j->shortest / m->rate;
-    if (ray->origin_surface == hits->owner) {
-        m->near = 0x1p-26 * j->reach / m->rate;
-        m->side = side_ahead(m, ray);
+    if (!common_clip(&k, x->j->box.lo, x->j->box.hi, &span) || span.hi <= 0.0 || span.lo * k.unit > hits->tmax)
+        return;
+    r->hits = hits;
+    r->base = span.lo > 0.0 ? span.lo : 0.0;
+    r->rate = rate_of(x->j, k.d);
+    r->unit = k.unit;
+    put(s->o, l, common_along(&k, r->base));
+    put(s->d, l, k.d);
+    r->near = from_here ? 0x1p-26 * x->j->reach / r->rate : 0.0;
+    r->side = from_here ? side_ahead(x->j, ray, get(s->o, l), k.d) : 0.0;
+    s->from[l] = 0.0;
+    s->to[l] = span.hi - r->base;
+    s->enough[l] = hits->tmax * k.per_unit * (1.0 + 0x1p-20) - r->base;
+    s->shortest[l] = x->j->shortest / r->rate;
+    s->length[l] = x->j->first * s->to[l];
+    s->out[l] = -1;
+    if (span.lo > 0.0 && !from_here) {
+        x->count += ask_next(x, l);
+    } else {
+        ask(x, l, AT_START, 0.0, 0.0);
+        x->count++;
     }
-    ask(m, AT_START, 0.0, 0.0, s, lane);
-    return true;
 }
 
 /* The answer, and the next question. False: the ray is done. */
-static bool take(march *m, common_spheres *s, uint32_t lane)
+static bool take(search *x, uint32_t l)
 {
-    switch (m->now) {
+    if (x->s.asked[l])
+        return take_stretch(x, l);
+    switch (x->at[l].now) {
     case AT_START:
-        m->a = answer(m, s, lane);
-        m->length = 0.25 * (m->to - m->a.t);
-        return ask_next(m, s, lane);
-    case OF_STRETCH: return take_stretch(m, s, lane);
-    case AT_END: return take_end(m, s, lane);
-    case AT_FRONT: return take_front(m, s, lane);
-    default: return take_between(m, s, lane);
+        x->s.out[l] = -(int64_t)is_out(answer(x, l));
+        return ask_next(x, l);
+    case AT_END: return take_end(x, l);
+    case AT_FRONT: return take_front(x, l);
+    case BETWEEN: return take_between(x, l);
+    default: return take_one(x, l);
     }
 }
 
-static void move_lane(march *m, common_spheres *s, uint32_t from, uint32_t to)
+static void move_lane(search *x, uint32_t from, uint32_t to)
 {
-    m[to] = m[from];
-    common_spheres_put(s, to, pov_vec3_of(s->x[from], s->y[from], s->z[from]), s->off[from]);
-    s->square[to] = s->square[from];
-    s->place[to] = s->place[from];
-    s->left[to] = s->left[from];
-    s->open[to] = s->open[from];
+    stretches *s = &x->s;
+    common_probes *p = &x->probes;
+
+    x->at[to] = x->at[from];
+    s->from[to] = s->from[from];
+    s->end[to] = s->end[from];
+    s->length[to] = s->length[from];
+    s->to[to] = s->to[from];
+    s->enough[to] = s->enough[from];
+    s->shortest[to] = s->shortest[from];
+    s->out[to] = s->out[from];
+    s->asked[to] = s->asked[from];
+    put(s->o, to, get(s->o, from));
+    put(s->d, to, get(s->d, from));
+    common_probe_put(p, to, get(p->p, from), get(p->d, from), p->off[from], p->wide[from] != 0);
 }
 
-/* Rays of one fractal: as one is done the next takes its lane. */
+/* All rays: as one is done the next takes its lane. */
 static void intersect_some(const common_julia *j, const pov_ray *const *rays, pov_hits *const *hits, uint32_t n)
 {
-    march m[COMMON_SPHERES];
-    common_spheres s;
-    uint32_t next = 0, count = 0, i;
+    uint32_t next = 0;
+    search x;
 
+    x.j = j;
+    x.count = 0;
     for (;;) {
-        for (; count < COMMON_SPHERES && next < n; next++)
-            count += begin(&m[count], j, rays[next], hits[next], &s, count);
-        if (count == 0)
+        uint32_t bits;
+
+        while (x.count < LANES && next < n) {
+            begin(&x, rays[next], hits[next]);
+            next++;
+        }
+        if (x.count == 0)
             return;
-        common_julia_follow(j, j->places, j->reach * j->reach, &s, count);
-        for (i = count; i-- > 0;)
-            if (!take(&m[i], &s, i) && i < --count)
-                move_lane(m, &s, count, i);
+        common_julia_follow(j, j->places, j->reach, &x.probes, x.count);
+        bits = x.count < COMMON_LEAST ? 0 : take_stretches(j, &x.s, &x.probes);
+        for (uint32_t l = x.count; l-- > 0;)
+            if (!(bits >> (LANES + l) & 1) && !(bits >> l & 1 ? ask_next(&x, l) : take(&x, l)) && l < --x.count)
+                move_lane(&x, x.count, l);
     }
 }
 

@@ -96,11 +96,12 @@ static void add_box(pov_box *all, const pov_box *b)
 /* Of the points whose numbers are up to `off` from the number of p, through so many places at most. */
 static common_side side_of(const common_julia *j, pov_vec3 p, double off, uint32_t most)
 {
-    common_spheres s;
+    static const pov_vec3 zero = { 0.0, 0.0, 0.0 };
+    common_probes s;
 
-    common_spheres_put(&s, 0, p, off);
-    common_julia_follow(j, j->places < most ? j->places : most, j->reach * j->reach, &s, 1);
-    return common_spheres_side(&s, 0);
+    common_probe_put(&s, 0, p, zero, off, off > 0.0);
+    common_julia_follow(j, j->places < most ? j->places : most, j->reach, &s, 1);
+    return common_probe_side(&s, 0);
 }
 
 /* Cells that are not certainly outside. */
@@ -151,8 +152,12 @@ static void parse(void *self, const pov_host *host, pov_reader *in)
         host->warn(in, "hypercomplex numbers have no \"cube\": \"sqr\" is taken, as by POV-Ray");
     j->cube = w.cube;
     j->f = w.f ? w.f : w.hypercomplex ? disc_squared : NULL;
+    j->squares = j->f == disc_squared;
     j->reach = j->f ? 4.0 : fmin(1.0 + sqrt(square_of(&j->c)), 2.0);
     j->shortest *= 0x1p-4;
+    j->first = j->f ? 0.25 : 0.5;
+    j->shrink = j->f ? 0.25 : 0.3;
+    j->grow = j->f ? 2.0 : 1.4;
     find_box(j);
 }
 
