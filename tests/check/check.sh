@@ -228,5 +228,12 @@ for finding in N1 N2 N3 N4 N5 N6 N7 $(seq -f 'F%g' 16) $(seq 30); do
 done
 report "every finding of the reviews has a test"
 
+# ---- mutations: what they change is there ----
+
+if command -v python3 > "$work/python"; then
+    python3 tests/mutate/mutate.py --places > "$work/found"
+    report "the text of every mutation stands in one place"
+fi
+
 echo "$passed passed, $failed failed"
 [ "$failed" -eq 0 ]

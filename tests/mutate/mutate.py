@@ -32,17 +32,24 @@ MUTATIONS = [
     ('patterned shadows: crossings not located', 'w->located = is_located(w, f);', 'w->located = false && is_located(w, f);',
      'golden/test_golden'),
     ('opacity: weighs the wrong way', 'return 1.0f - filter - of->transmit;', 'return filter + of->transmit;', ''),
-    ('nested dielectrics: left to the outermost', 'ior_of(m, list[index - 1])', 'ior_of(m, list[0])', ''),
+    ('nested dielectrics: left to the outermost', 'ior_of(m, list[index - 1], hue, white)', 'ior_of(m, list[0], hue, white)', ''),
     ('refraction: relative index upside down', 'steep = 0.5, eta = before / after;',
      'steep = 0.5, eta = after / before;', ''),
-    ('depth: one level more than allowed', 'if (deeper && p->level >= l->level)', 'if (deeper && p->level > l->level)',
+    ('depth: one level more than allowed', 'if (p->level >= level) {', 'if (p->level > level) {',
      'unit/test_shade_paths'),
-    ('coincident surfaces: the later wins', 's->at[at - 1].object > h->object', 's->at[at - 1].object < h->object',
+    ('coincident surfaces: the later wins', 'at > 0 && model_is_before(m, h->object, s->at[at - 1].object)',
+     'at > 0 && model_is_before(m, s->at[at - 1].object, h->object)',
      'limits/test_coincident'),
-    ('isolated solids: no margin', 'margin = 0x1p-20;', 'margin = 0.0;', 'unit/test_world_isolated'),
+    ('isolated solids: no margin', 'margin = 0x1p-20;\n', 'margin = 0.0;\n', 'unit/test_world_isolated'),
     ('filter of instances: bound / 48', '(48.0f *', '(1.0f *', 'unit/test_world_instance'),
     ('sphere: a miss is certain without its bound', 'if (h.d < -(h.d_error + 10.0 * COMMON_U * fabs(h.d)))',
      'if (h.d < 0.0)', 'plugins/test_contract'),
+    ('start: a crossing there counts where it grazes', 'cosine = fmax(fabs(pov_dot(h->normal, pov_unit(ray->dir))), certified',
+     'cosine = fmax(1.0, certified', 'limits/test_starts'),
+    ('segments: a surface at the end counts where it is grazed', 'gap * fmax(own_space_cosine(&own, at), least_cosine) <= reach',
+     'gap <= reach', 'limits/test_segments'),
+    ('segments: the end is rounded', 'ray.dir_lo = pov_vec3_of(x.lo, y.lo, z.lo);', '', 'limits/test_segments'),
+    ('torus: no last step at the start', 'if (is_near || hits->always_exact)', 'if (false)', 'limits/test_starts'),
     ('reports: distances 100 times less exact', '#define COMMON_ULPS 12.0', '#define COMMON_ULPS 1200.0',
      'plugins/test_contract'),
     ('reports: the step of Newton goes the other way', 'return -0.5 * r->value / r->half_slope;',
@@ -59,6 +66,7 @@ def arguments():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument('--build', default='build', help='the copy goes into its folder "mutate"')
     parser.add_argument('--only', default='', help='mutations whose name has this word in it')
+    parser.add_argument('--places', action='store_true', help='only see whether the text of each is where it has to be')
     parser.add_argument('--jobs', default=str(os.cpu_count() or 1), help='of make')
     return parser.parse_args()
 
@@ -78,9 +86,6 @@ class Copy:
         self.tests = [str(path.relative_to(folder / 'tests').with_suffix('')) for pattern in TESTS
                       for path in sorted((folder / 'tests').glob(pattern + '.c'))]
         self.tests = list(dict.fromkeys(self.tests))
-
-    def sources(self):
-        return [path for room in ('lib', 'plugins') for path in sorted((self.tree / room).rglob('*.[ch]'))]
 
     def build(self):
         """None, or what the compiler said."""
@@ -112,9 +117,13 @@ def run_test(program):
     return None if done.returncode == 0 else done.stdout
 
 
-def place_of(copy, text):
+def sources_of(tree):
+    return [path for room in ('lib', 'plugins') for path in sorted((tree / room).rglob('*.[ch]'))]
+
+
+def place_of(tree, text):
     """The only file that the text stands in, or why there is none."""
-    found = [path for path in copy.sources() for _ in range(path.read_text(errors='replace').count(text))]
+    found = [path for path in sources_of(tree) for _ in range(path.read_text(errors='replace').count(text))]
     if len(found) != 1:
         return None, f'{"not found" if not found else f"found {len(found)} times"}: {text}'
     return found[0], ''
@@ -123,7 +132,7 @@ def place_of(copy, text):
 def verdict_on(copy, mutation):
     """Killed or not, and by which test or why not."""
     _, text, instead, first = mutation
-    path, wrong = place_of(copy, text)
+    path, wrong = place_of(copy.tree, text)
     if not path:
         return 'ERROR', wrong
     if first and first not in copy.tests:
@@ -149,8 +158,16 @@ def prepare(copy):
         raise Broken('a test fails before anything is changed: ' + failed)
 
 
+def see_places():
+    lost = [f'{name}: {place_of(ROOT, text)[1]}' for name, text, _, _ in MUTATIONS if not place_of(ROOT, text)[0]]
+    print('\n'.join(lost), end='\n' if lost else '')
+    return 1 if lost else 0
+
+
 def main():
     options = arguments()
+    if options.places:
+        return see_places()
     copy = Copy((ROOT / options.build / 'mutate').resolve(), options.jobs)
     chosen = [mutation for mutation in MUTATIONS if options.only in mutation[0]]
     started = time.monotonic()
