@@ -80,7 +80,10 @@ class Copy:
 
     def __init__(self, folder, jobs):
         self.tree, self.jobs = folder, jobs
-        skip = shutil.ignore_patterns('.git', 'build', 'build-*')
+
+        def skip(path, names):   # lib/build is a room
+            return [name for name in names if name == '.git' or (Path(path) == ROOT and name.startswith('build'))]
+
         shutil.rmtree(folder, ignore_errors=True)
         shutil.copytree(ROOT, folder, ignore=skip, symlinks=True)
         self.tests = [str(path.relative_to(folder / 'tests').with_suffix('')) for pattern in TESTS
