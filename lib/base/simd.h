@@ -30,12 +30,15 @@
 #define SIMD_NOINLINE
 #endif
 
-/* SIMD_INLINE: a function that such a loop calls: it must be inlined. SIMD_RARE: one that is hardly ever called. */
+/* SIMD_INLINE: a function that such a loop calls: it must be inlined. SIMD_RARE: one that is hardly ever called. SIMD_APART: one
+ * that is not inlined, for its caller would save registers for it where it is not called. */
 #if defined(__GNUC__)
 #define SIMD_RARE __attribute__((cold))
+#define SIMD_APART __attribute__((noinline))
 #define SIMD_INLINE __attribute__((always_inline)) static inline
 #else
 #define SIMD_RARE
+#define SIMD_APART
 #define SIMD_INLINE static inline
 #endif
 

@@ -1,5 +1,6 @@
 #include "sdl/lex.h"
 
+#include "base/simd.h"
 #include "sdl/number.h"
 
 #include <string.h>
@@ -130,7 +131,7 @@ static void finish(source *s, token *t, int kind, const char *after)
     s->at = after;
 }
 
-static void lex_word(symbols *words, source *s, token *t)
+SIMD_APART static void lex_word(symbols *words, source *s, token *t)
 {
     const char *at = s->at;
     uint32_t hash = SYMBOLS_HASH_START;
@@ -145,7 +146,7 @@ static void lex_word(symbols *words, source *s, token *t)
         t->kind = TOKEN_BAD;     /* without a fault: memory */
 }
 
-static void lex_number(source *s, token *t)
+SIMD_APART static void lex_number(source *s, token *t)
 {
     const char *after;
 
@@ -167,7 +168,7 @@ static void lex_number(source *s, token *t)
 }
 
 /* A backslash keeps the next byte from ending the string, which may go over several lines. */
-static void lex_string(source *s, token *t)
+SIMD_APART static void lex_string(source *s, token *t)
 {
     const char *at = s->at + 1, *begin = s->at, *line_end = NULL;
 
@@ -195,7 +196,7 @@ static void lex_string(source *s, token *t)
 }
 
 /* A whole character of UTF-8 is one stretch, so that a message can show it. */
-static void lex_odd(source *s, token *t)
+SIMD_APART static void lex_odd(source *s, token *t)
 {
     const char *after = s->at + 1;
 
@@ -216,23 +217,14 @@ static void lex_punct(source *s, token *t)
         finish(s, t, (unsigned char)*at, at + 1);
 }
 
-void lex_next(symbols *words, source *s, token *t)
+/* The text stands at a token, which begins with a byte of this class. */
+static inline void lex_token(symbols *words, source *s, token *t, int class)
 {
     t->symbol = NULL;
     t->number = 0.0;
     t->fault = NULL;
-    if (!skip_blanks(s, &t->at)) {
-        t->kind = TOKEN_BAD;
-        t->at.length = 2;
-        t->fault = "the comment that begins here has no end";
-        return;
-    }
     place_here(&t->at, s);
-    if (s->at == s->end) {
-        t->kind = TOKEN_END;
-        return;
-    }
-    switch (class_at(s->at)) {
+    switch (class) {
     case LETTER:
         lex_word(words, s, t);
         break;
@@ -251,6 +243,40 @@ void lex_next(symbols *words, source *s, token *t)
     default:
         lex_odd(s, t);
     }
+}
+
+/* Behind ends of lines and comments. */
+SIMD_APART static void lex_behind(symbols *words, source *s, token *t)
+{
+    if (!skip_blanks(s, &t->at)) {
+        t->symbol = NULL;
+        t->number = 0.0;
+        t->kind = TOKEN_BAD;
+        t->at.length = 2;
+        t->fault = "the comment that begins here has no end";
+    } else if (s->at < s->end) {
+        lex_token(words, s, t, class_at(s->at));
+    } else {
+        t->symbol = NULL;
+        t->number = 0.0;
+        t->fault = NULL;
+        place_here(&t->at, s);
+        t->kind = TOKEN_END;
+    }
+}
+
+void lex_next(symbols *words, source *s, token *t)
+{
+    const char *at = s->at;
+    int class = LINE;
+
+    while (at < s->end && (class = class_at(at)) == BLANK)
+        at++;
+    s->at = at;
+    if (at == s->end || class == LINE || *at == '/')
+        lex_behind(words, s, t);
+    else
+        lex_token(words, s, t, class);
 }
 
 /* ---- what stands between quotes ---- */

@@ -5,22 +5,30 @@
 
 #include <string.h>
 
-/* Each number times a factor of its own: the products do not wait for each other. */
+enum { HASHED = 20 };
+/* Powers of 0x9E3779B1: each number times a factor of its own, side by side. */
+static const uint32_t factors[HASHED] = {
+    0x9E3779B1u, 0xFFE6CC61u, 0xCC042811u, 0x1F76BCC1u, 0x8BC6BA71u,
+    0x5ECD5121u, 0x6364B0D1u, 0x4B180981u, 0xF0D38B31u, 0xA49465E1u,
+    0xB018C991u, 0x448FE641u, 0x0149EBF1u, 0x43680AA1u, 0x6E8C7251u,
+    0x5E8A5301u, 0x3215DCB1u, 0x9E743F61u, 0xFC2BAB11u, 0x3CB34FC1u,
+};
+
 static uint32_t hash_of(const material *m)
 {
     const finish *f = &m->finish;
-    const float numbers[] = {
+    const float numbers[HASHED] = {
         m->pigment.r, m->pigment.g, m->pigment.b, m->filter, m->transmit, f->ambient.r, f->ambient.g, f->ambient.b,
         f->diffuse, f->phong, f->phong_size, f->metallic, f->specular, (float)f->roughness, f->reflection.max.r,
-        f->reflection.max.g, f->reflection.max.b, (float)m->interior.ior, m->interior.given ? 1.0f : 0.0f,
+        f->reflection.max.g, f->reflection.max.b, (float)m->interior.ior, m->interior.given ? 1.0f : 0.0f, 0.0f,
     };
-    uint32_t bits, factor = 0x9E3779B1u, hash = (uint32_t)((uintptr_t)m->texture >> 4) ^ (uint32_t)((uintptr_t)m->inside >> 3);
+    uint32_t bits, hash = (uint32_t)((uintptr_t)m->texture >> 4) ^ (uint32_t)((uintptr_t)m->inside >> 3);
 
-    for (size_t i = 0; i < sizeof numbers / sizeof *numbers; i++, factor *= 0x9E3779B1u) {
+    for (size_t i = 0; i < HASHED; i++) {
         const float number = numbers[i] + 0.0f;   /* -0 equals 0 */
 
         memcpy(&bits, &number, sizeof bits);
-        hash += bits * factor;
+        hash += bits * factors[i];
     }
     hash = (hash ^ hash >> 16) * 0x85EBCA6Bu;
     return hash ^ hash >> 13;

@@ -1,5 +1,7 @@
 #include "sdl/number.h"
 
+#include "base/simd.h"
+
 #include <povtrace/exact.h>
 
 #include <stdbool.h>
@@ -140,7 +142,38 @@ static number_state malformed(const char *at, const char *end, const char **afte
     return NUMBER_MALFORMED;
 }
 
-number_state number_read(const char *at, const char *end, const char **after, double *out)
+static inline const char *read_run(const char *at, const char *end, uint64_t *mantissa)
+{
+    uint64_t sum = *mantissa;
+    unsigned digit;
+
+    for (; at < end && (digit = (unsigned)(unsigned char)*at - '0') <= 9; at++)
+        sum = 10 * sum + digit;
+    *mantissa = sum;
+    return at;
+}
+
+/* Nearly all numbers: few digits, perhaps a point, no exponent. Both operands are exact. NULL: another number. */
+static inline const char *read_plain(const char *at, const char *end, double *out)
+{
+    const char *const first = at, *point;
+    uint64_t mantissa = 0;
+    long fraction = 0;
+
+    at = read_run(at, end, &mantissa);
+    if (at < end && *at == '.') {
+        point = ++at;
+        at = read_run(at, end, &mantissa);
+        fraction = (long)(at - point);
+    }
+    if (at - first > MANTISSA_DIGITS || mantissa > (uint64_t)1 << 53 || (at < end && (*at == '.' || *at == 'e' || *at == 'E')))
+        return NULL;
+    *out = (double)mantissa / powers[fraction];
+    return at;
+}
+
+/* Any number. */
+static SIMD_RARE number_state read_any(const char *at, const char *end, const char **after, double *out)
 {
     parts p = { at, at, 0, 0, 0, 0 };
     const char *point;
@@ -164,4 +197,14 @@ number_state number_read(const char *at, const char *end, const char **after, do
     if (*out > 1.7976931348623157e308)
         return NUMBER_HUGE;
     return *out == 0.0 ? NUMBER_TINY : NUMBER_FINE;
+}
+
+number_state number_read(const char *at, const char *end, const char **after, double *out)
+{
+    const char *const behind = read_plain(at, end, out);
+
+    if (!behind)
+        return read_any(at, end, after, out);
+    *after = behind;
+    return NUMBER_FINE;
 }

@@ -18,23 +18,21 @@ typedef struct around {
 } around;
 
 /* Its own texture and interior, or each from the nearest group around it that has one. */
-static surface_parsed find_surface(const pov_reader *in, const object_parsed *o, const around *a)
+static void find_surface(const pov_reader *in, const object_parsed *o, const around *a, surface_parsed *found)
 {
-    surface_parsed found = *parse_surface_of(o);
-
-    parse_surface_default(in->placed, &found);
-    for (; a && !(found.has_look && found.material.interior.given); a = a->outer) {
+    *found = *parse_surface_of(o);
+    parse_surface_default(in->placed, found);
+    for (; a && !(found->has_look && found->material.interior.given); a = a->outer) {
         const surface_parsed *s = parse_surface_of(a->group);
-        const interior own = found.material.interior;
+        const interior own = found->material.interior;
 
-        if (!found.has_look && s->has_look) {
-            found = *s;
-            found.material.interior = own;
+        if (!found->has_look && s->has_look) {
+            *found = *s;
+            found->material.interior = own;
         }
         if (!own.given && s->material.interior.given)
-            found.material.interior = s->material.interior;
+            found->material.interior = s->material.interior;
     }
-    return found;
 }
 
 /* The first of a list of transformations, without the last few. */
@@ -144,11 +142,12 @@ static void note_cutaway(pov_reader *in, const around *a, cutaway_member c)
 
 static bool add_leaf(pov_reader *in, const object_parsed *o, const around *a, node_ref *out)
 {
-    surface_parsed s = find_surface(in, o, a);
     uint32_t moves = find_moves(o, a);
     leaf_node leaf = o->leaf;
+    surface_parsed s;
     material m;
 
+    find_surface(in, o, a, &s);
     leaf.map = find_map(in, o, a);
     if (o->parts) {
         parse_parts_surface(in, o, leaf.map, moves, &s);

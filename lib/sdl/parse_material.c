@@ -10,10 +10,11 @@ void parse_surface_begin(const pov_reader *in, surface_parsed *s)
 
 void parse_surface_default(const surface_parsed *defaults, surface_parsed *s)
 {
-    const surface_parsed own = *s;
+    surface_parsed own;
 
-    if (own.has_look)
+    if (s->has_look)
         return;
+    own = *s;
     *s = *defaults;
     s->material.interior = own.material.interior;
     s->inside = own.inside;

@@ -30,11 +30,17 @@ const keyword_id parse_pattern_modifiers[] = {
 
 /* ---- begin and end ---- */
 
+static void clear(pattern_parsed *p)
+{
+    memset(p, 0, sizeof *p);
+    p->pattern.turbulence = turbulence_default();
+    p->pattern.wave = wave_default(WAVE_RAMP);
+}
+
 void parse_pattern_begin(pattern_reading *r)
 {
     memset(r, 0, sizeof *r);
-    r->parsed.pattern.turbulence = turbulence_default();
-    r->parsed.pattern.wave = wave_default(WAVE_RAMP);
+    clear(&r->parsed);
 }
 
 void parse_pattern_take(pattern_reading *r, const pattern *p)
@@ -60,10 +66,8 @@ const pattern *parse_pattern_end(pov_reader *in, pattern_reading *r)
 const pattern *parse_pattern_space(pov_reader *in, const pattern_reading *r)
 {
     pattern_parsed space = r->parsed, none;
-    pattern_reading empty;
 
-    parse_pattern_begin(&empty);
-    none = empty.parsed;
+    clear(&none);
     space.pattern.class = none.pattern.class = &pattern_average;
     space.pattern.self = NULL;
     space.pattern.map = 0;

@@ -269,9 +269,11 @@ static void read_item(pov_reader *in, pigment_reading *r)
 
 static void begin(pigment_reading *r, value_kind kind, const pigment_node *base)
 {
-    memset(r, 0, sizeof *r);
-    r->kind = kind;
     parse_pattern_begin(&r->pattern);
+    r->kind = kind;
+    r->has_colour = false;
+    memset(&r->constant, 0, sizeof r->constant);
+    memset(&r->map, 0, sizeof r->map);
     if (base)
         take_base(r, base);
 }

@@ -413,7 +413,6 @@ static void settle(pov_reader *in, const texture *outside, const texture *inside
 
 void parse_surface_material(pov_reader *in, const surface_parsed *s, material *out)
 {
-    const interior own = s->material.interior;
     const texture *outside;
 
     *out = s->material;
@@ -432,5 +431,5 @@ void parse_surface_material(pov_reader *in, const surface_parsed *s, material *o
         outside = textures_uv(in, outside);
     settle(in, outside, s->uv ? textures_uv(in, s->inside) : s->inside);
     *out = in->textured;
-    out->interior = own;
+    out->interior = s->material.interior;
 }
