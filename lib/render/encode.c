@@ -26,10 +26,12 @@ static void fill_tables(encoder *e)
     for (int i = 0; i < 255; i++) {
         e->above[i] = (float)encoded_inverse(e, (i + 0.5) / 255.0);
     }
-    for (int i = 0; i < ENCODER_CELLS; i++) {
-        while (code < 255 && (float)i / ENCODER_CELLS >= e->above[code])
-            code++;
-        e->least[i] = (unsigned char)code;
+    for (int i = 0; i < ENCODER_CELLS; code++) {   /* cells below the next threshold; the product is exact */
+        const int end = code < 255 ? (int)ceilf(fminf(e->above[code], 1.0f) * ENCODER_CELLS) : ENCODER_CELLS;
+
+        if (end > i)
+            memset(e->least + i, code, (size_t)(end - i));
+        i = end > i ? end : i;
     }
 }
 
