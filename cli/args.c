@@ -459,7 +459,9 @@ static void note_word(args *a, const char *word)
 
     append(a, a->command[0] ? " " : "");
     append(a, plain ? "" : "'");
-    for (; *word; word++) {
+    if (plain)
+        append(a, word);
+    for (; !plain && *word; word++) {
         const char letter[2] = { *word, '\0' };
 
         append(a, *word == '\'' ? "'\\''" : letter);

@@ -212,7 +212,7 @@ pov_status explain_world(explanation *e, const model *m, const world *w, pov_err
 
 typedef struct plugin_rows {
     explanation *to;
-    const model *model;
+    size_t first;                /* of the rows of plugins, which are the last */
     pov_status status;
     pov_error *err;
 } plugin_rows;
@@ -235,12 +235,12 @@ static pov_status add_class(plugin_rows *r, const shape_class *shape, size_t obj
     return add_plugin(r, shape->keyword, true, reason);
 }
 
-static bool has_row(const explanation *e, const char *keyword)
+static bool has_row(const plugin_rows *r, const char *keyword)
 {
     size_t i;
 
-    for (i = 0; i < e->rows.count; i++)
-        if (strncmp(e->rows.items[i].subject, "plugin ", 7) == 0 && strcmp(e->rows.items[i].subject + 7, keyword) == 0)
+    for (i = r->first; i < r->to->rows.count; i++)
+        if (strcmp(r->to->rows.items[i].subject + strlen("plugin "), keyword) == 0)
             return true;
     return false;
 }
@@ -249,7 +249,7 @@ static void visit_keyword(void *user, const char *keyword)
 {
     plugin_rows *r = user;
 
-    if (r->status == POV_OK && !has_row(r->to, keyword))
+    if (r->status == POV_OK && !has_row(r, keyword))
         r->status = add_plugin(r, keyword, false, "the scene does not name it");
 }
 
@@ -291,7 +291,7 @@ static bool count_classes(const model *m, tally *t)
 
 pov_status explain_plugins(explanation *e, const model *m, const registry *plugins, pov_error *err)
 {
-    plugin_rows r = { e, m, POV_OK, err };
+    plugin_rows r = { e, e->rows.count, POV_OK, err };
     tally t = { NULL, 0, 0 };
     size_t i, n;
 
