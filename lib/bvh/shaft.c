@@ -55,7 +55,7 @@ static bool make(shaft *s, pov_vec3 from, const pov_vec3 corner[4], double size)
 
 bool shaft_make(shaft *s, pov_vec3 from, const pov_vec3 corner[4]) { return make(s, from, corner, 0.0); }
 
-static pov_vec3 turn(const pov_vec3 column[3], pov_vec3 v)
+static pov_vec3 rotated(const pov_vec3 column[3], pov_vec3 v)
 {
     return pov_add(pov_add(pov_scale(column[0], v.x), pov_scale(column[1], v.y)), pov_scale(column[2], v.z));
 }
@@ -66,8 +66,8 @@ bool shaft_move(const shaft *s, const pov_vec3 column[3], pov_vec3 anchor, pov_v
     pov_vec3 corner[4];
 
     for (int i = 0; i < 4; i++)
-        corner[i] = turn(column, s->corner[i]);
-    return make(out, pov_add(turn(column, pov_sub(s->from, anchor)), to), corner, largest * (s->size + sum_of(anchor)) + sum_of(to));
+        corner[i] = rotated(column, s->corner[i]);
+    return make(out, pov_add(rotated(column, pov_sub(s->from, anchor)), to), corner, largest * (s->size + sum_of(anchor)) + sum_of(to));
 }
 
 /* A shaft in a frame. */
