@@ -77,3 +77,48 @@ uint32_t common_face_filter(const float *block, uint32_t count, uint32_t first, 
 
     return left < POV_BLOCK_MAX ? maybe & ((1u << left) - 1) : maybe;
 }
+
+/* ---- cells ---- */
+
+void common_cell_put(float *block, uint32_t count, uint32_t i, const pov_vec3 corner[4])
+{
+    for (size_t k = 0; k < 4; k++)
+        put_corner(block + 3 * k * count + i, count, corner[k]);
+}
+
+typedef struct cell_outcomes { common_outcomes first, second; } cell_outcomes;
+
+COMMON_INLINE int32_t may_pass(float one, float two, float three, float doubt)
+{
+    const float least = common_float_lesser(common_float_lesser(one, two), three);
+    const float most = common_float_greater(common_float_greater(one, two), three);
+
+    return -!((int)(least < -doubt) & (int)(most > doubt));
+}
+
+COMMON_CLONES static void filter_cells(const float *restrict a, size_t row, const common_face_view *restrict v, cell_outcomes *restrict out)
+{
+    const common_face_view view = *v;
+    const float *across = a + (size_t)v->across * row, *up = a + (size_t)v->up * row, *forward = a + (size_t)v->forward * row;
+
+    for (uint32_t i = 0; i < POV_BLOCK_MAX; i++) {
+        const seen p = see(across + i, up + i, forward + i, &view), q = see(across + 3 * row + i, up + 3 * row + i, forward + 3 * row + i, &view);
+        const seen r = see(across + 6 * row + i, up + 6 * row + i, forward + 6 * row + i, &view);
+        const seen s = see(across + 9 * row + i, up + 9 * row + i, forward + 9 * row + i, &view);
+        const float size = size_of(p) + size_of(q) + size_of(r) + size_of(s);
+        const float doubt = size * (view.error + 8.0f * COMMON_E * size) + 2.0f * view.error * view.error, shared = turn(p, s);
+
+        out->first.lane[i] = may_pass(turn(p, q), turn(q, s), -shared, doubt);
+        out->second.lane[i] = may_pass(shared, turn(s, r), turn(r, p), doubt);
+    }
+}
+
+uint32_t common_cell_filter(const float *block, uint32_t count, uint32_t first, const common_face_view *v, uint32_t *second)
+{
+    const uint32_t left = count - first, some = left < POV_BLOCK_MAX ? (1u << left) - 1 : (1u << POV_BLOCK_MAX) - 1;
+    cell_outcomes may;
+
+    filter_cells(block + first, count, v, &may);
+    *second = common_bits_of(&may.second, POV_BLOCK_MAX) & some;
+    return common_bits_of(&may.first, POV_BLOCK_MAX) & some;
+}

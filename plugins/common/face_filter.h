@@ -1,13 +1,13 @@
-/* face_filter.h - leaves out faces of a mesh that a ray certainly misses, eight at a time, in floats.
+/* face_filter.h - leaves out faces of a mesh, and cells of two faces, that a ray certainly misses, eight at a time, in floats.
  *
  * A block holds the corners of the faces of one leaf: nine rows (x, y, z of the first corner, then of the others), each
- * as long as there are faces, relative to the mesh's anchor and scaled. */
+ * as long as there are faces, relative to the mesh's anchor and scaled. One of cells has twelve rows. */
 #ifndef COMMON_FACE_FILTER_H
 #define COMMON_FACE_FILTER_H
 
 #include "common/edges.h"
 
-enum { COMMON_FACE_ROWS = 9, COMMON_FACE_PAD = 8 };   /* floats behind the last block, which are read and not used */
+enum { COMMON_FACE_ROWS = 9, COMMON_CELL_ROWS = 12, COMMON_FACE_PAD = 8 };   /* floats behind the last block, which are read and not used */
 
 /* A ray seen along its largest axis, in floats: its point near the anchor, its slopes, and the error of a coordinate in
  * the view. */
@@ -21,5 +21,10 @@ common_face_view common_face_view_of(const common_view *v);
 void common_face_put(float *block, uint32_t count, uint32_t i, pov_vec3 a, pov_vec3 b, pov_vec3 c);
 /* Faces from `first` on that the line of the ray may hit, by bit: up to eight. */
 uint32_t common_face_filter(const float *block, uint32_t count, uint32_t first, const common_face_view *v);
+
+/* The same of cells, whose two faces share the edge between the first and the last corner. *second: those whose second face it may
+ * hit, with the third corner; the result is those of the first face, with the second corner. */
+void common_cell_put(float *block, uint32_t count, uint32_t i, const pov_vec3 corner[4]);
+uint32_t common_cell_filter(const float *block, uint32_t count, uint32_t first, const common_face_view *v, uint32_t *second);
 
 #endif

@@ -1,5 +1,6 @@
 #include "common/sheet.h"
 
+#include "common/face_filter.h"
 #include "common/simd.h"
 
 static void include(pov_box *box, pov_vec3 p)
@@ -24,41 +25,54 @@ static pov_box make_corners(common_sheet *s, common_sheet_corner *corner, void *
     return box;
 }
 
-static void make_cells(common_sheet *s, const pov_host *host, pov_reader *in, const pov_vec3 *at)
+/* Of the corners of a cell the first; the others are beside it, and in the next row. */
+static const pov_vec3 *first_corner(const common_sheet *s, uint32_t cell)
 {
-    const uint32_t count = (s->wide - 1) * (s->deep - 1);
-    pov_box *boxes = host->alloc(in, count * sizeof *boxes);
-
-    for (uint32_t i = 0; boxes && i < count; i++) {
-        const pov_vec3 *c = at + i / (s->wide - 1) * s->wide + i % (s->wide - 1);
-
-        boxes[i].lo = boxes[i].hi = c[0];
-        include(&boxes[i], c[1]);
-        include(&boxes[i], c[s->wide]);
-        include(&boxes[i], c[s->wide + 1]);
-    }
-    s->cells = boxes ? host->hierarchy(in, boxes, count) : NULL;
+    return s->at + cell / (s->wide - 1) * s->wide + cell % (s->wide - 1);
 }
 
-static void put_corner(common_sheet_cell *to, int i, pov_vec3 p)
+static void box_of_cell(void *user, uint32_t cell, pov_box *out)
 {
-    to->at[0][i] = p.x;
-    to->at[1][i] = p.y;
-    to->at[2][i] = p.z;
+    const common_sheet *s = user;
+    const pov_vec3 *c = first_corner(s, cell);
+    const double per = common_inverse(s->scale);
+
+    out->lo = out->hi = pov_scale(c[0], per);
+    include(out, pov_scale(c[1], per));
+    include(out, pov_scale(c[s->wide], per));
+    include(out, pov_scale(c[s->wide + 1], per));
 }
 
-static void make_sides(common_sheet *s, const pov_host *host, pov_reader *in)
+typedef struct filling { const common_sheet *s; float *blocks; } filling;
+
+static bool fill_block(void *user, uint32_t first, uint32_t count)
+{
+    const filling *f = user;
+    const common_sheet *s = f->s;
+
+    for (uint32_t i = 0; i < count; i++) {
+        const pov_vec3 *c = first_corner(s, s->order[first + i]);
+        const pov_vec3 corner[4] = { pov_sub(c[0], s->anchor), pov_sub(c[1], s->anchor), pov_sub(c[s->wide], s->anchor),
+                                     pov_sub(c[s->wide + 1], s->anchor) };
+
+        common_cell_put(f->blocks + (size_t)COMMON_CELL_ROWS * first, count, i, corner);
+    }
+    return true;
+}
+
+static void make_cells(common_sheet *s, const pov_host *host, pov_reader *in)
 {
     const uint32_t count = (s->wide - 1) * (s->deep - 1);
-    common_sheet_cell *cell = host->alloc(in, count * sizeof *cell);
+    uint32_t *order = host->alloc(in, count * sizeof *order);
+    float *blocks = host->alloc(in, ((size_t)COMMON_CELL_ROWS * count + COMMON_FACE_PAD) * sizeof *blocks);
+    const pov_hierarchy *cells = order && blocks ? host->hierarchy_in_order(in, count, box_of_cell, s, order) : NULL;
+    filling f = { s, blocks };
 
-    for (uint32_t i = 0; cell && i < count; i++) {
-        const pov_vec3 *c = s->at + i / (s->wide - 1) * s->wide + i % (s->wide - 1);
-
-        for (int k = 0; k < 4; k++)
-            put_corner(&cell[i], k, pov_sub(c[k / 2 * s->wide + k % 2], s->anchor));
-    }
-    s->cell = cell;
+    s->order = order;
+    s->blocks = blocks;
+    if (cells)
+        cells->each_range(cells, fill_block, &f);
+    s->cells = cells;
 }
 
 static bool is_finite(pov_vec3 v) { return isfinite(v.x) && isfinite(v.y) && isfinite(v.z); }
@@ -84,12 +98,11 @@ void common_sheet_make(common_sheet *s, const pov_host *host, pov_reader *in, ui
     s->anchor = pov_scale(pov_add(box.lo, box.hi), 0.5 * s->scale);
     if (!s->bounded)
         s->box = box;
-    make_cells(s, host, in, at);
     for (uint32_t i = 0; i < wide * deep; i++)
         at[i] = pov_scale(at[i], s->scale);
     s->at = at;
     s->normal = normal;
-    make_sides(s, host, in);
+    make_cells(s, host, in);
 }
 
 /* ---- rays ---- */
@@ -104,7 +117,14 @@ static void corners_of(const common_sheet *s, uint32_t face, uint32_t which[3])
     which[2] = face % 2 == 0 ? first + s->wide + 1 : first + s->wide;
 }
 
-typedef struct visit { const common_sheet *s; const pov_ray *ray; pov_hits *hits; common_triangle_ray through; bool entered; } visit;
+typedef struct visit {
+    const common_sheet *s;
+    const pov_ray *ray;
+    pov_hits *hits;
+    common_triangle_ray through;
+    common_face_view view;
+    bool entered;
+} visit;
 
 /* Of a surface with a container: is the crossing within it? */
 static bool is_within(visit *v, const pov_vec3 *a, const pov_vec3 *b, const pov_vec3 *c)
@@ -138,64 +158,67 @@ static bool cross_face(visit *v, uint32_t face, const pov_vec3 *const at[3], con
            !is_within(v, at[0], at[1], at[2]) || common_triangle_cross(&v->through, at[0], at[1], at[2], mark, v->hits);
 }
 
-/* Are all four corners certainly on one side of the ray, or of its level? */
-static bool is_beside(const common_view *v, const common_sheet_cell *c)
-{
-    const double *p = c->at[v->across], *q = c->at[v->up], *r = c->at[v->forward];
-    const double from_p = v->w[v->across], from_q = v->w[v->up], from_r = v->w[v->forward];
-    const double dp = v->d[v->across], dq = v->d[v->up], dr = v->d[v->forward];
-    double across[4], up[4], least[2], most[2];
-
-    for (int i = 0; i < 4; i++) {
-        across[i] = (p[i] - from_p) * dr - (r[i] - from_r) * dp;
-        up[i] = (q[i] - from_q) * dr - (r[i] - from_r) * dq;
-    }
-    least[0] = common_lesser(common_lesser(across[0], across[1]), common_lesser(across[2], across[3]));
-    most[0] = common_greater(common_greater(across[0], across[1]), common_greater(across[2], across[3]));
-    least[1] = common_lesser(common_lesser(up[0], up[1]), common_lesser(up[2], up[3]));
-    most[1] = common_greater(common_greater(up[0], up[1]), common_greater(up[2], up[3]));
-    return !v->exact && (least[0] > v->error || most[0] < -v->error || least[1] > v->error || most[1] < -v->error);
-}
-
 static void enter(visit *v)
 {
-    if (!v->entered)
-        common_triangle_enter(&v->through, v->ray, v->s->anchor, v->s->scale, v->hits->always_exact);
+    if (v->entered)
+        return;
+    common_triangle_enter(&v->through, v->ray, v->s->anchor, v->s->scale, v->hits->always_exact);
+    v->view = common_face_view_of(&v->through.view);
     v->entered = true;
 }
 
-static bool cross_cell(visit *v, uint32_t cell)
+/* Those of its two faces that the ray may hit. */
+static bool cross_cell(visit *v, uint32_t cell, bool first, bool second)
 {
-    const uint32_t wide = v->s->wide;
-    const pov_vec3 *a = v->s->at + cell / (wide - 1) * wide + cell % (wide - 1), *b = a + 1, *c = a + wide, *d = c + 1;
-    const common_seen seen[4] = { common_triangle_see(&v->through, a), common_triangle_see(&v->through, b),
-                                  common_triangle_see(&v->through, c), common_triangle_see(&v->through, d) };
+    const pov_vec3 *a = first_corner(v->s, cell), *b = a + 1, *c = a + v->s->wide, *d = c + 1;
+    const common_seen p = common_triangle_see(&v->through, a), q = common_triangle_see(&v->through, d);
     const pov_vec3 *const low[3] = { a, b, d }, *const high[3] = { a, d, c };
-    const common_seen low_seen[3] = { seen[0], seen[1], seen[3] }, high_seen[3] = { seen[0], seen[3], seen[2] };
 
-    return common_triangle_are_beside(&v->through, seen) ||
-           (cross_face(v, 2 * cell, low, low_seen) && cross_face(v, 2 * cell + 1, high, high_seen));
+    if (first) {
+        const common_seen seen[3] = { p, common_triangle_see(&v->through, b), q };
+
+        if (!cross_face(v, 2 * cell, low, seen))
+            return false;
+    }
+    if (second) {
+        const common_seen seen[3] = { p, q, common_triangle_see(&v->through, c) };
+
+        return cross_face(v, 2 * cell + 1, high, seen);
+    }
+    return true;
 }
 
-static bool visit_cell(void *user, uint32_t cell)
+static bool visit_cells(void *user, uint32_t first, uint32_t count)
 {
     visit *v = user;
+    const float *block = v->s->blocks + (size_t)COMMON_CELL_ROWS * first;
 
     enter(v);
-    return is_beside(&v->through.view, &v->s->cell[cell]) || cross_cell(v, cell);
+    for (uint32_t i = 0; i < count; i += POV_BLOCK_MAX) {
+        uint32_t high, low = common_cell_filter(block, count, i, &v->view, &high);
+
+        for (uint32_t any = low | high; any; any &= any - 1) {
+            const uint32_t lane = common_first_lane(any);
+
+            if (!cross_cell(v, v->s->order[first + i + lane], low >> lane & 1, high >> lane & 1))
+                return false;
+        }
+    }
+    return true;
 }
 
 void common_sheet_intersect(const common_sheet *s, const pov_ray *ray, pov_hits *hits)
 {
     visit v;
 
-    if (!s->cells || !s->cell)
+    if (!s->cells)
         return;
     v.s = s;
     v.ray = ray;
     v.hits = hits;
     v.entered = false;
-    s->cells->visit(s->cells, ray, hits, visit_cell, &v);
+    s->cells->visit_ranges(s->cells, ray, hits, visit_cells, &v);
+    hits->escalated += v.entered && v.through.view.escalated;
 }
 
 /* ---- points ---- */

@@ -6,14 +6,12 @@
 
 #include "common/triangle.h"
 
-/* The corners of a cell by axis, relative to the anchor. */
-typedef struct common_sheet_cell { double at[3][4]; } common_sheet_cell;
-
 typedef struct common_sheet {
     uint32_t wide, deep;         /* corners along u and v */
-    const common_sheet_cell *cell;
     const pov_vec3 *at, *normal; /* of corners: scaled; of any length */
     const pov_hierarchy *cells;
+    const uint32_t *order;       /* which cell stands where in it */
+    const float *blocks;         /* of its leaves, for common_cell_filter() */
     pov_vec3 anchor;             /* scaled */
     double scale;
     pov_box box;
