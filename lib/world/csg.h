@@ -72,9 +72,10 @@ enum { CSG_COLUMNS = 16 };
 typedef struct csg_outline {
     uint32_t count, member[CSG_COLUMNS];     /* columns: of chords theirs, else the members that are not absent */
     uint32_t hidden, bare;       /* columns, as bits: they clip; they are quadrics without slabs, of any kind */
+    bool endless;                /* the tree has no box: errors are in parts of distances */
     uint8_t *values;             /* of the tree, by the columns that hold a point, as bits, where there are few; or NULL */
-    pov_vec3 centre;             /* of the tree's box */
-    double size, per_size;       /* half of its largest extent, and the inverse */
+    pov_vec3 centre;             /* of the tree's box; without one, the origin */
+    double size, per_size;       /* half of its largest extent, or about that of what the tree has; and the inverse */
     uint32_t slabs, quadrics;    /* filled up to whole vectors */
     uint8_t slab_of[3 * CSG_COLUMNS], quadric_of[CSG_COLUMNS];   /* columns */
     double numbers[];

@@ -160,14 +160,19 @@ static bool find_columns(const csg_tree *t, csg_outline *of)
         of->hidden |= (uint32_t)m->hidden << of->count;
         of->member[of->count++] = i;
     }
-    return t->boxed && !t->empty;
+    return !t->empty;
+}
+
+static const csg_member *member_at(const csg_tree *t, const csg_outline *of, uint32_t column)
+{
+    return &t->members[of->member[column]];
 }
 
 /* What the classes know of the columns. */
 static bool ask_columns(const csg_tree *t, csg_outline *of, pov_outline *all)
 {
     for (uint32_t i = 0; i < of->count; i++) {
-        const csg_member *m = &t->members[of->member[i]];
+        const csg_member *m = member_at(t, of, i);
 
         if (!m->shape->outline || m->open || !m->shape->outline(m->instance, &all[i]))
             return false;
@@ -210,15 +215,40 @@ static bool find_values(const csg_tree *t, const env *e, csg_outline *of, uint32
     return done;
 }
 
+/* About how large is what a tree without a box has? As large as a member's box is, or as it is far from the origin. */
+static double find_size(const csg_tree *t, const csg_outline *of, const pov_outline *all)
+{
+    double size = t->size;
+
+    for (uint32_t i = 0; i < of->count; i++) {
+        const instance_xform *x = member_at(t, of, i)->xform;
+
+        size = fmax(size, x ? pov_largest(x->anchor) : all[i].slabs > 0 && !all[i].round ? fabs(all[i].hi[0]) : pov_largest(all[i].centre));
+    }
+    return size > 0.0 ? size : 1.0;
+}
+
+static void place(const csg_tree *t, const pov_outline *all, csg_outline *of)
+{
+    const pov_vec3 extent = pov_sub(t->box.hi, t->box.lo);
+
+    of->endless = !t->boxed;
+    of->size = t->boxed ? 0.5 * pov_largest(extent) : find_size(t, of, all);
+    if (t->boxed)
+        of->centre = pov_add(t->box.lo, pov_scale(extent, 0.5));
+    of->per_size = 1.0 / of->size;
+}
+
 bool csg_find_outline(csg_tree *t, const env *e)
 {
+    csg_outline of = { .count = 0 };
     pov_outline all[CSG_COLUMNS];
-    const pov_vec3 extent = pov_sub(t->box.hi, t->box.lo);
-    csg_outline of = { .centre = pov_add(t->box.lo, pov_scale(extent, 0.5)), .size = 0.5 * pov_largest(extent) };
     size_t numbers;
 
-    of.per_size = 1.0 / of.size;
-    if (!(of.per_size > 1e-100 && of.per_size < 1e100) || !find_columns(t, &of) || !ask_columns(t, &of, all))
+    if (!find_columns(t, &of) || !ask_columns(t, &of, all))
+        return true;
+    place(t, all, &of);
+    if (!(of.per_size > 1e-100 && of.per_size < 1e100))
         return true;
     numbers = SLAB_NUMBERS * of.slabs + QUADRIC_NUMBERS * of.quadrics;
     t->outline = env_alloc(e, 1, sizeof of + numbers * sizeof(double) + table_size(t, &of));
@@ -251,6 +281,7 @@ static bool come_near(const csg_outline *of, const pov_ray *ray, near_ray *out, 
     io->start = pov_dot(from, out->along);
     out->at = pov_sub(from, pov_scale(out->along, io->start));
     io->per_unit = inverse * of->size;
+    io->from = of->endless ? 1.0 + pov_largest(from) : 1.0;
     return pov_largest(from) < farthest && length > 1e-100 && length < 1e100;
 }
 
@@ -260,8 +291,8 @@ typedef struct stretches {
     SIMD_ALIGNED double square[QUADRICS];   /* of quadrics: below zero a ray is within where it is not between */
 } stretches;
 
-SIMD_INLINE void cross_slabs(const double *restrict number, pov_vec3 p, pov_vec3 d, double *restrict in, double *restrict out,
-                             double *restrict open)
+SIMD_INLINE void cross_slabs(const double *restrict number, pov_vec3 p, pov_vec3 d, double least, double *restrict in,
+                             double *restrict out, double *restrict open)
 {
     for (uint32_t i = 0; i < FOUR; i++) {
         const double x = number[i], y = number[FOUR + i], z = number[2 * FOUR + i];
@@ -272,11 +303,11 @@ SIMD_INLINE void cross_slabs(const double *restrict number, pov_vec3 p, pov_vec3
 
         in[i] = a < b ? a : b;
         out[i] = a < b ? b : a;
-        open[i] = size < least_slope && nearest < least_height ? 1.0 : 0.0;
+        open[i] = size < least_slope && nearest < least ? 1.0 : 0.0;
     }
 }
 
-SIMD_INLINE void cross_quadrics(const double *restrict number, pov_vec3 p, pov_vec3 d, double *restrict in, double *restrict out,
+SIMD_INLINE void cross_quadrics(const double *restrict number, pov_vec3 p, pov_vec3 d, double from, double *restrict in, double *restrict out,
                                 double *restrict open, double *restrict square)
 {
     for (uint32_t i = 0; i < FOUR; i++) {
@@ -289,23 +320,23 @@ SIMD_INLINE void cross_quadrics(const double *restrict number, pov_vec3 p, pov_v
         const double c = (px + 2.0 * lx) * p.x + (py + 2.0 * ly) * p.y + (pz + 2.0 * lz) * p.z + of[9 * FOUR];
         const double within = b * b - a * c, root = sqrt(within > 0.0 ? within : 0.0), size = fabs(a);
         const double inverse = 1.0 / (size > least_square ? size : 1.0), middle = (a > 0.0 ? -b : b) * inverse;
-        const double missed = within < -least_miss ? HUGE_VAL : 0.0;
+        const double missed = within < -least_miss * from * from ? HUGE_VAL : 0.0;
 
         in[i] = middle - root * inverse + missed;
         out[i] = middle + root * inverse - missed;
-        open[i] = size > least_square && (root * size > least_chord || missed > 0.0) ? 0.0 : 1.0;
+        open[i] = size > least_square && (root * size > least_chord * from || missed > 0.0) ? 0.0 : 1.0;
         square[i] = a;
     }
 }
 
-SIMD_CLONES static void cross_all(const csg_outline *of, pov_vec3 p, pov_vec3 d, stretches *restrict s)
+SIMD_CLONES static void cross_all(const csg_outline *of, pov_vec3 p, pov_vec3 d, double from, stretches *restrict s)
 {
-    const double *quadrics = of->numbers + SLAB_NUMBERS * of->slabs;
+    const double *quadrics = of->numbers + SLAB_NUMBERS * of->slabs, least = of->endless ? HUGE_VAL : least_height;
 
     for (uint32_t i = 0; i < of->slabs; i += FOUR)
-        cross_slabs(of->numbers + SLAB_NUMBERS * i, p, d, s->in + i, s->out + i, s->open + i);
+        cross_slabs(of->numbers + SLAB_NUMBERS * i, p, d, least, s->in + i, s->out + i, s->open + i);
     for (uint32_t i = 0, k = of->slabs; i < of->quadrics; i += FOUR, k += FOUR)
-        cross_quadrics(quadrics + QUADRIC_NUMBERS * i, p, d, s->in + k, s->out + k, s->open + k, s->square + i);
+        cross_quadrics(quadrics + QUADRIC_NUMBERS * i, p, d, from, s->in + k, s->out + k, s->open + k, s->square + i);
 }
 
 /* ---- the members' intervals ---- */
@@ -319,7 +350,7 @@ static bool gather(const csg_outline *of, const near_ray *k, csg_intervals *io)
     double open = 0.0;
     stretches s;
 
-    cross_all(of, k->at, k->along, &s);
+    cross_all(of, k->at, k->along, io->from, &s);
     for (uint32_t i = 0; i < of->count; i++) {
         io->in[i] = -HUGE_VAL;
         io->out[i] = HUGE_VAL;

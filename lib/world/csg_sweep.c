@@ -23,6 +23,9 @@ typedef struct sweep {
     crossing at[2 * CSG_COLUMNS];   /* of members, within the stretch, from near to far */
 } sweep;
 
+/* Crossings nearer than that to a place cannot be told from it. */
+static double near_by(const sweep *s, double at) { return margin * (s->of->endless ? s->io.from + fabs(at) : 1.0); }
+
 /* ---- one member ---- */
 
 enum { CROSSINGS = 4 };
@@ -65,7 +68,7 @@ static bool is_passed(sweep *s, uint32_t column, const pov_hits *hits)
         return is_passed(s, column, hits);
     }
     for (i = 0; i < a.found.count; i++)
-        if (!csg_is_behind(s->w, &a.at[i]) && a.at[i].t < 4.0 * margin * s->io.per_unit)
+        if (!csg_is_behind(s->w, &a.at[i]) && a.at[i].t < 4.0 * near_by(s, s->io.start) * s->io.per_unit)
             return false;
     return true;
 }
@@ -104,19 +107,19 @@ static void add(sweep *s, double at, uint32_t column, bool passed)
 {
     if (passed || at < s->from)
         s->holds ^= 1u << column;
-    else if (at <= s->to)
+    else if (at <= s->to && at < HUGE_VAL)
         insert(s, at, column);
 }
 
 /* `from`: the column that the ray starts on, one of whose crossings is the start. False: open. */
 static bool add_column(sweep *s, uint32_t i, uint32_t from, const pov_hits *hits)
 {
-    const double in = s->io.in[i], out = s->io.out[i], start = s->io.start;
-    const bool enters = fabs(in - start) <= margin, leaves = fabs(out - start) <= margin;
+    const double in = s->io.in[i], out = s->io.out[i], start = s->io.start, near = near_by(s, start);
+    const bool enters = fabs(in - start) <= near, leaves = fabs(out - start) <= near;
 
-    if (in > out + margin)
+    if (in == HUGE_VAL || in - out > near_by(s, in))
         return i != from;
-    if (i == from ? enters == leaves : (enters || leaves) && start + margin >= s->from && !is_passed(s, i, hits))
+    if (i == from ? enters == leaves : (enters || leaves) && start + near >= s->from && !is_passed(s, i, hits))
         return false;
     add(s, in, i, in < start || enters);
     add(s, out, i, out < start || leaves);
@@ -172,7 +175,7 @@ static csg_found find(sweep *s, csg_first *out)
     for (uint32_t i = 0, end; i < s->count; i = end) {
         uint32_t any = 1u << s->at[i].column, changed = any;
 
-        for (end = i + 1; end < s->count && s->at[end].at - s->at[end - 1].at <= margin; end++) {
+        for (end = i + 1; end < s->count && s->at[end].at - s->at[end - 1].at <= near_by(s, s->at[end].at); end++) {
             any |= 1u << s->at[end].column;
             changed ^= 1u << s->at[end].column;
         }
@@ -180,7 +183,7 @@ static csg_found find(sweep *s, csg_first *out)
             out->column = s->at[i].column;
             out->inward = value_of(s, s->holds ^ any) > value_of(s, s->holds);
             out->t = (s->at[i].at - s->io.start) * s->io.per_unit;
-            out->off = margin * s->io.per_unit;
+            out->off = near_by(s, s->at[i].at) * s->io.per_unit;
             return end == i + 1 ? CSG_CROSSED : CSG_OPEN;
         }
         s->holds ^= changed;
@@ -233,8 +236,10 @@ bool csg_sweep_first(csg_traversal *w, pov_hits *hits)
     s.escalated = 0;
     if (!csg_outline_cross(s.of, w->ray, &s.io))
         return false;
-    s.from = s.io.start + w->enter / s.io.per_unit - margin;
-    s.to = s.io.start + fmin(w->leave, most) / s.io.per_unit + margin;
+    s.from = s.io.start + w->enter / s.io.per_unit;
+    s.from -= near_by(&s, s.from);
+    s.to = s.io.start + fmin(w->leave, most) / s.io.per_unit;
+    s.to += near_by(&s, s.to);
     if (!begin(&s, hits))
         return false;
     found = search(&s, &first);

@@ -83,6 +83,7 @@ static inline bool csg_first_is_enough(const csg_first *f, const pov_hits *hits)
  * or else, where a bit of `outside` is set. */
 typedef struct csg_intervals {
     double start, per_unit;      /* a distance of the ray is (place - start) per_unit */
+    double from;                 /* of a tree without a box: how far the ray's start is from the middle, and more than one; else one */
     uint32_t outside;
     double in[CSG_COLUMNS], out[CSG_COLUMNS];
 } csg_intervals;

@@ -164,16 +164,21 @@ static node_ref add_any(scene *s, int depth)
     return group;
 }
 
-/* Within a convex member, so that it has a box. */
+/* Two parts; or one within a convex member, so that it has a box. */
 static void make_any_tree(scene *s)
 {
-    group_node all = { .op = U() < 0.5 ? NODE_INTERSECTION : NODE_CLIP, .line = 1, .column = 1 };
+    static const node_op ops[] = { NODE_MERGE, NODE_INTERSECTION, NODE_DIFFERENCE };
+    const bool boxed = U() < 0.6;
+    group_node all = { .op = !boxed ? ops[below(3)] : U() < 0.5 ? NODE_INTERSECTION : NODE_CLIP, .line = 1, .column = 1 };
     node_ref children[2], root;
 
     s->endless = true;
     children[0] = add_any(s, 3);
+    if (!boxed)
+        children[1] = add_any(s, 1);
     s->endless = false;
-    children[1] = add_member(s);
+    if (boxed)
+        children[1] = add_member(s);
     assert_true(model_add_group(&s->model, &all, children, 2, &root));
     assert_true(model_add_tree(&s->model, root));
 }
