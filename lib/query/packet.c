@@ -127,11 +127,15 @@ static void divide(const world *w, const pov_ray *const *rays, uint32_t n, uint6
 /* Are there at least so many lanes? */
 static inline bool are_at_least(uint64_t lanes, uint32_t least)
 {
+#if defined(__POPCNT__)
+    return (uint32_t)__builtin_popcountll(lanes) >= least;
+#else
     uint32_t n;
 
     for (n = 1; n < least; n++)
         lanes &= lanes - 1;
     return lanes != 0;
+#endif
 }
 
 uint32_t packet_divide(const world *w, const pov_ray *const *rays, uint32_t n, uint64_t which, bool nearest,

@@ -85,24 +85,21 @@ static inline bool any_special(const shade_context *c, const batch *b)
     return c->photons_fly || c->scene->plan->hidden || c->scene->dims || b->reuse;
 }
 
-/* Does the surface need more than its emission? special: see any_special(). */
-static inline bool is_kept(shade_context *c, const batch *b, surface *s, bool special, colour *out)
+/* Does the surface need more than its emission? special: see any_special(); a: what it looks like where it is seen. */
+static inline bool is_kept(shade_context *c, const batch *b, surface *s, bool special, const appearance *a, colour *out)
 {
     const shading *scene = c->scene;
-    const appearance *a;
 
     if (s->at->coincident && !s->coincident)
         find_coincident(c, s);
     s->lit = colour_of(0.0f, 0.0f, 0.0f);
-    if (special && c->photons_fly) {
-        s->appearance = shading_constant(scene, s->at->object);
+    s->appearance = a;
+    if (special && c->photons_fly)
         return true;
-    }
     if (special && scene->plan->hidden && is_unseen(scene, s->from, s->at->object)) {
         s->appearance = &scene->unseen;
         return true;
     }
-    s->appearance = a = shading_constant(scene, s->at->object);
     if (!a->lit && scene->plan->lighting)
         c->counts.shadow_idle += scene->model->lights.count;
     if (a->needs_point || (special && b->reuse))
@@ -159,7 +156,7 @@ static uint32_t find_each(shade_context *c, surfaces *s, const batch *b, colour 
         place(s, &s->at[n], b, i, n);
         if (hit_single(c, &s->at[n])) {
             dim(c, s, &s->at[n], out);
-            n += is_kept(c, b, &s->at[n], true, out);
+            n += is_kept(c, b, &s->at[n], true, shading_constant(c->scene, s->at[n].at->object), out);
         } else if (!c->photons_fly) {
             air_background(c, b, (uint64_t)1 << i, out);
         }
@@ -190,9 +187,26 @@ static void add_background(shade_context *c, const batch *b, uint64_t rays, colo
         out[b->paths[first_of64(rays)].lane] = seen;
 }
 
+/* What appearances are found by, which stays in registers while surfaces are written. */
+typedef struct names { const shading *scene; const object_info *known; const appearance *appearances; uint32_t own; } names;
+
+static inline names names_of(const shading *s)
+{
+    const names out = { s, s->objects_info, s->appearances, s->own_names };
+
+    return out;
+}
+
+/* As shading_constant(). */
+static inline const appearance *names_appearance(const names *n, uint32_t which)
+{
+    return which < n->own ? &n->appearances[n->known[which].material] : shading_constant(n->scene, which);
+}
+
 void surfaces_find(shade_context *c, surfaces *s, const batch *b, colour *out)
 {
     const bool special = any_special(c, b), dims = special && c->scene->dims && !c->photons_fly;
+    const names by_name = names_of(c->scene);
     surface *at = s->at;
     uint64_t found, rest;
     uint32_t n = 0;
@@ -206,10 +220,12 @@ void surfaces_find(shade_context *c, surfaces *s, const batch *b, colour *out)
     if (dims)
         dim_all(c, s, b, found, out);
     for (rest = found; rest; rest &= rest - 1) {
-        place(s, at, b, first_of64(rest), n);
+        const uint32_t i = first_of64(rest);
+
+        place(s, at, b, i, n);
         if (dims)
-            at->from = &s->dimmed[first_of64(rest)];
-        if (is_kept(c, b, at, special, out)) {
+            at->from = &s->dimmed[i];
+        if (is_kept(c, b, at, special, names_appearance(&by_name, s->hits[i].object), out)) {
             at++;
             n++;
         }
