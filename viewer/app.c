@@ -122,20 +122,10 @@ static bool help_scrolls(const app *a)
     return a->help && a->help_below > 0.0;
 }
 
-static bool can_compare(const app *a)
-{
-    return a->reference_width == a->width && a->reference_height == a->height;
-}
-
 void app_compare_with(app *a, app_compare how, double now)
 {
     if (a->reference_width < 1) {
         app_say(a, now, "nothing to compare with: start with --reference FILE");
-        return;
-    }
-    if (!can_compare(a)) {
-        app_say(a, now, "the reference has %d x %d pixels and the window %d x %d", a->reference_width,
-                a->reference_height, a->width, a->height);
         return;
     }
     a->compare = a->compare == how ? APP_PLAIN : how;
@@ -143,6 +133,8 @@ void app_compare_with(app *a, app_compare how, double now)
     a->orders |= APP_VIEW;
     if (a->compare == APP_PLAIN)
         app_say(a, now, "picture");
+    else if (a->reference_width != a->width || a->reference_height != a->height)
+        app_say(a, now, "the reference, of %d x %d pixels, is scaled", a->reference_width, a->reference_height);
 }
 
 bool app_shows_reference(const app *a, double x)
@@ -293,7 +285,7 @@ static void take_wheel(app *a, double steps, double now)
     a->moved = true;
 }
 
-static void take_size(app *a, double width, double height, double scale, double now)
+static void take_size(app *a, double width, double height, double scale)
 {
     a->scale = scale > 0.0 ? scale : 1.0;
     a->orders |= APP_DRAW;
@@ -305,11 +297,6 @@ static void take_size(app *a, double width, double height, double scale, double 
     if (a->has_scene)
         orbit_fit(&a->orbit, a->width, a->height);
     zoom_fit(&a->zoom, a->width, a->height);
-    if (a->compare != APP_PLAIN && !can_compare(a)) {
-        app_compare_with(a, APP_PLAIN, now);
-        a->compare = APP_PLAIN;
-        a->orders |= APP_VIEW;
-    }
     a->resized = true;
 }
 
@@ -325,7 +312,7 @@ void app_take(app *a, const app_event *e, double now)
     case APP_BUTTON: take_button(a, e->code, e->down, now); break;
     case APP_POINTER: take_pointer(a, e->x, e->y); break;
     case APP_WHEEL: take_wheel(a, e->y, now); break;
-    case APP_SIZE: take_size(a, e->x, e->y, e->scale, now); break;
+    case APP_SIZE: take_size(a, e->x, e->y, e->scale); break;
     case APP_LEAVE:
         a->flying = 0;
         a->shift = a->control = false;

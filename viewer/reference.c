@@ -47,12 +47,11 @@ pov_status reference_read(reference *r, pov_context *context, const args *a, pov
 
     if (!a->reference)
         return POV_OK;
-    r->image = (pov_bitmap){ sizeof r->image, a->width, a->height, 0, NULL };
+    r->image = (pov_bitmap){ sizeof r->image, 0, 0, 0, NULL };
     status = pov_image_read(context, a->reference, &r->image, err);
     if (status < 0)
         return status;
-    r->bytes = calloc((size_t)r->image.width * (size_t)r->image.height, 4);
-    if (r->bytes) {
+    if (reference_fit(r, r->image.width, r->image.height)) {
         reference_expose(r, POV_TRANSFER_SRGB, 1.0);
         return POV_OK;
     }
@@ -66,13 +65,79 @@ void reference_free(reference *r, pov_context *context)
 {
     if (r->image.rgba)
         pov_image_free(context, &r->image);
+    free(r->scaled);
     free(r->bytes);
     memset(r, 0, sizeof *r);
 }
 
+/* ---- another size ---- */
+
+/* One row or column: the mean of `size` values, `step` floats apart, on the i-th of `parts` equal parts of them. */
+static void mean_of(const float *from, size_t step, int size, int i, int parts, float *out)
+{
+    const double begin = (double)i * size / parts, end = (double)(i + 1) * size / parts;
+    double sum[4] = { 0.0, 0.0, 0.0, 0.0 };
+
+    for (int k = (int)begin; k < size && k < end; k++) {
+        const double share = fmin(k + 1.0, end) - fmax((double)k, begin);
+
+        for (int c = 0; c < 4; c++)
+            sum[c] += share * (double)from[(size_t)k * step + (size_t)c];
+    }
+    for (int c = 0; c < 4; c++)
+        out[c] = (float)(sum[c] / (end - begin));
+}
+
+/* Rows first, then columns. */
+static bool scale(const pov_bitmap *from, float *to, int width, int height)
+{
+    const size_t wide = 4 * (size_t)width;
+    float *rows = malloc((size_t)from->height * wide * sizeof *rows);
+
+    if (!rows)
+        return false;
+    for (int y = 0; y < from->height; y++)
+        for (int x = 0; x < width; x++)
+            mean_of(from->rgba + 4 * (size_t)y * (size_t)from->width, 4, from->width, x, width, rows + (size_t)y * wide + 4 * (size_t)x);
+    for (int y = 0; y < height; y++)
+        for (int x = 0; x < width; x++)
+            mean_of(rows + 4 * (size_t)x, wide, from->height, y, height, to + (size_t)y * wide + 4 * (size_t)x);
+    free(rows);
+    return true;
+}
+
+bool reference_fit(reference *r, int width, int height)
+{
+    const bool is_own = width == r->image.width && height == r->image.height;
+    float *scaled = NULL;
+    uint8_t *bytes;
+
+    if (!r->image.rgba || reference_fits(r, width, height))
+        return true;
+    bytes = calloc((size_t)width * (size_t)height, 4);
+    if (bytes && !is_own)
+        scaled = malloc((size_t)width * (size_t)height * 4 * sizeof *scaled);
+    if (!bytes || (!is_own && (!scaled || !scale(&r->image, scaled, width, height)))) {
+        free(bytes);
+        free(scaled);
+        return false;
+    }
+    free(r->bytes);
+    free(r->scaled);
+    r->bytes = bytes;
+    r->scaled = scaled;
+    r->rgba = is_own ? r->image.rgba : scaled;
+    r->width = width;
+    r->height = height;
+    r->encoded = 0;
+    r->first = height;
+    r->last = -1;
+    return true;
+}
+
 bool reference_fits(const reference *r, int width, int height)
 {
-    return r->image.rgba && r->image.width == width && r->image.height == height;
+    return r->rgba && r->width == width && r->height == height;
 }
 
 void reference_expose(reference *r, pov_transfer transfer, double gain)
@@ -82,7 +147,7 @@ void reference_expose(reference *r, pov_transfer transfer, double gain)
     if (!r->exact)
         tone_init(&r->tone, transfer, gain);
     r->encoded = 0;
-    r->first = r->image.height;
+    r->first = r->height;
     r->last = -1;
 }
 
@@ -90,9 +155,9 @@ void reference_expose(reference *r, pov_transfer transfer, double gain)
 static void encode_row(reference *r, int y)
 {
     const float *from = reference_color(r, 0, y);
-    uint8_t *to = r->bytes + 4 * (size_t)y * (size_t)r->image.width;
+    uint8_t *to = r->bytes + 4 * (size_t)y * (size_t)r->width;
 
-    for (int x = 0; x < r->image.width; x++, from += 4, to += 4) {
+    for (int x = 0; x < r->width; x++, from += 4, to += 4) {
         const float solid[4] = { from[0], from[1], from[2], 1.0f };
 
         if (r->exact)
@@ -108,14 +173,14 @@ bool reference_update(reference *r, double seconds)
 
     if (!r->image.rgba)
         return false;
-    while (r->encoded < r->image.height) {
+    while (r->encoded < r->height) {
         encode_row(r, r->encoded);
         r->first = r->encoded < r->first ? r->encoded : r->first;
         r->last = r->encoded++;
         if (r->encoded % STRIP == 0 && clock_seconds() >= end)
             break;
     }
-    return r->encoded < r->image.height;
+    return r->encoded < r->height;
 }
 
 bool reference_take_rows(reference *r, int *first, int *last)
@@ -124,14 +189,14 @@ bool reference_take_rows(reference *r, int *first, int *last)
         return false;
     *first = r->first;
     *last = r->last;
-    r->first = r->image.height;
+    r->first = r->height;
     r->last = -1;
     return true;
 }
 
 const float *reference_color(const reference *r, int x, int y)
 {
-    return r->image.rgba + 4 * ((size_t)y * (size_t)r->image.width + (size_t)x);
+    return r->rgba + 4 * ((size_t)y * (size_t)r->width + (size_t)x);
 }
 
 static float within(float v)

@@ -6,7 +6,10 @@
 #include "tone.h"
 
 typedef struct reference {
-    pov_bitmap image;            /* linear; no pixels: there is none */
+    pov_bitmap image;            /* of the file: linear; no pixels: there is none */
+    int width, height;           /* of the picture that it is compared with */
+    const float *rgba;           /* of that size: the file's, or `scaled` */
+    float *scaled;
     uint8_t *bytes;              /* as displayed: red, green, blue, alpha */
     int encoded;                 /* rows above this one are up to date */
     int first, last;             /* rows changed since the last query; last < first: none */
@@ -17,9 +20,12 @@ typedef struct reference {
 
 /* Without a size on the command line a picture to be compared has its reference's. */
 pov_status reference_fill_size(args *a, pov_error *err);
-/* Read the file that --reference names, of the size that the command line states, if any. */
+/* Read the file that --reference names. */
 pov_status reference_read(reference *r, pov_context *context, const args *a, pov_error *err);
 void reference_free(reference *r, pov_context *context);
+/* Scale it to a picture's size, where its own is another: each pixel is the mean of what the file has on its area. False: no
+ * memory. */
+bool reference_fit(reference *r, int width, int height);
 /* Can it be compared with a picture of this size? */
 bool reference_fits(const reference *r, int width, int height);
 /* Display it like the picture. */

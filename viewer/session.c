@@ -106,8 +106,9 @@ static void make_job(session *s)
 
     helper_dispose(s->helper, &old);
     s->job = NULL;
-    if ((s->picture.width != s->app->width || s->picture.height != s->app->height) &&
-        !picture_resize(&s->picture, s->app->width, s->app->height)) {
+    if (((s->picture.width != s->app->width || s->picture.height != s->app->height) &&
+         !picture_resize(&s->picture, s->app->width, s->app->height)) ||
+        !reference_fit(&s->reference, s->app->width, s->app->height)) {
         err.status = POV_E_MEMORY;
         snprintf(err.message, sizeof err.message, "no memory for a picture of this size");
         fail(s, &err);
@@ -123,7 +124,7 @@ static void make_job(session *s)
     d.time_map = 1;
     d.camera = &camera;
     if (reference_fits(&s->reference, d.width, d.height)) {
-        d.reference = s->reference.image.rgba;
+        d.reference = s->reference.rgba;
         d.reference_clipped = s->reference.image.bits < 32;
     }
     d.wake = s->desc.wake;

@@ -35,8 +35,8 @@ bool session_take_rows(session *s, int *first, int *last)
 
 const uint8_t *session_reference_pixels(const session *s, int *width, int *height)
 {
-    *width = s->reference.image.width;
-    *height = s->reference.image.height;
+    *width = s->reference.width;
+    *height = s->reference.height;
     return s->reference.bytes;
 }
 

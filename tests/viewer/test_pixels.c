@@ -198,19 +198,26 @@ static void pixels_show_the_difference(void **state)
     end(s);
 }
 
-static void pixels_of_another_size_are_not_compared(void **state)
+/* The window is resized while the difference is seen: the reference is scaled to it. */
+static void pixels_of_another_size_are_compared_with_what_the_reference_has_there(void **state)
 {
+    const pov_rect left = { 130, 117, 1, 1 }, right = { 170, 117, 1, 1 };
     stage *s = begin_as(good, 0, 1, "reference.pfm");
+    float v[3];
 
     (void)state;
     see(s, "d");
     assert_int_equal(s->v.app.compare, APP_DIFFERENCE);
     shot_play(&s->v, "<size 300,200>");
     shot_settle(&s->v);
-    assert_int_equal(s->v.app.compare, APP_PLAIN);
+    assert_int_equal(s->v.app.compare, APP_DIFFERENCE);
+    assert_int_equal(session_values(s->v.session, left, v), 3);
+    assert_true(fabsf(v[0]) < 0.02f);
+    session_values(s->v.session, right, v);
+    assert_true(v[0] < -0.1f && fabsf(v[1]) < 0.02f);
     app_compare_with(&s->v.app, APP_WIPE, 1.0);
-    assert_string_equal(s->v.app.note, "the reference has 320 x 240 pixels and the window 300 x 200");
-    assert_int_equal(s->v.app.compare, APP_PLAIN);
+    assert_string_equal(s->v.app.note, "the reference, of 320 x 240 pixels, is scaled");
+    assert_int_equal(s->v.app.compare, APP_WIPE);
     end(s);
     s = begin(good, 0);
     app_compare_with(&s->v.app, APP_REFERENCE, 1.0);
@@ -245,11 +252,29 @@ static void pixels_that_are_clipped_are_marked_and_counted(void **state)
     end(s);
 }
 
+/* Three columns upon two, and one row upon two. */
+static void pixels_are_the_mean_of_a_reference_on_their_area(void **state)
+{
+    float three[12] = { 0.0f, 0.0f, 0.0f, 1.0f, 3.0f, 0.0f, 0.0f, 1.0f, 6.0f, 9.0f, 0.0f, 1.0f };
+    reference r = { .image = { sizeof r.image, 3, 1, 32, three } };
+
+    (void)state;
+    assert_true(reference_fit(&r, 2, 2));
+    assert_true(reference_fits(&r, 2, 2) && !reference_fits(&r, 3, 1));
+    for (int y = 0; y < 2; y++) {
+        assert_true(reference_color(&r, 0, y)[0] == 1.0f && reference_color(&r, 0, y)[1] == 0.0f);
+        assert_true(reference_color(&r, 1, y)[0] == 5.0f && reference_color(&r, 1, y)[1] == 6.0f);
+    }
+    assert_true(reference_fit(&r, 3, 1));
+    assert_true(reference_color(&r, 0, 0) == three && !r.scaled);
+    free(r.bytes);
+}
+
 /* A file of whole numbers holds nothing above 1: the picture is not blamed for what is. */
 static void pixels_above_one_equal_one_of_a_file(void **state)
 {
     float one[4] = { 1.0f, 0.0f, 0.5f, 1.0f }, color[4] = { 3.0f, -0.1f, 0.25f, 1.0f }, d[3];
-    reference r = { .image = { sizeof r.image, 1, 1, 8, one } };
+    reference r = { .image = { sizeof r.image, 1, 1, 8, one }, .width = 1, .height = 1, .rgba = one };
 
     (void)state;
     reference_difference(&r, 0, 0, color, d);
@@ -269,7 +294,8 @@ int main(void)
         cmocka_unit_test(pixels_flip_to_the_reference_and_back),
         cmocka_unit_test(pixels_wipe_at_the_pointer),
         cmocka_unit_test(pixels_show_the_difference),
-        cmocka_unit_test(pixels_of_another_size_are_not_compared),
+        cmocka_unit_test(pixels_of_another_size_are_compared_with_what_the_reference_has_there),
+        cmocka_unit_test(pixels_are_the_mean_of_a_reference_on_their_area),
         cmocka_unit_test(pixels_that_are_clipped_are_marked_and_counted),
         cmocka_unit_test(pixels_above_one_equal_one_of_a_file),
     };
