@@ -228,7 +228,7 @@ static double find_size(const csg_tree *t, const csg_outline *of, const pov_outl
     return size > 0.0 ? size : 1.0;
 }
 
-static void place(const csg_tree *t, const pov_outline *all, csg_outline *of)
+static void find_middle(const csg_tree *t, const pov_outline *all, csg_outline *of)
 {
     const pov_vec3 extent = pov_sub(t->box.hi, t->box.lo);
 
@@ -247,7 +247,7 @@ bool csg_find_outline(csg_tree *t, const env *e)
 
     if (!find_columns(t, &of) || !ask_columns(t, &of, all))
         return true;
-    place(t, all, &of);
+    find_middle(t, all, &of);
     if (!(of.per_size > 1e-100 && of.per_size < 1e100))
         return true;
     numbers = SLAB_NUMBERS * of.slabs + QUADRIC_NUMBERS * of.quadrics;
