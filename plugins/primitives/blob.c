@@ -6,6 +6,7 @@
  * the quadratics, so neighbours have the same value where they touch. */
 #include "common/bernstein.h"
 #include "common/boxed.h"
+#include "common/cell_box.h"
 
 /* A component in a space where it is the unit sphere, or what is nearer than one to the line from 0 to z = length. */
 typedef struct component {
@@ -23,6 +24,7 @@ typedef struct blob {
     double threshold;
     bool textured;
     common_boxed boxed;
+    pov_box box;                 /* around all that is inside, scaled */
 } blob;
 
 static const double NEAR = 0x1p-30;
@@ -214,24 +216,74 @@ static void place(blob *b)
     }
 }
 
+/* Calls of fmin() and fmax() cost more than all else here. */
+static inline double smaller(double a, double b) { return a < b ? a : b; }
+static inline double larger(double a, double b) { return a > b ? a : b; }
+
+static pov_vec3 mapped(const component *c, pov_vec3 p, double one)
+{
+    return pov_vec3_of(c->m[0][0] * p.x + c->m[0][1] * p.y + c->m[0][2] * p.z + c->m[0][3] * one,
+                       c->m[1][0] * p.x + c->m[1][1] * p.y + c->m[1][2] * p.z + c->m[1][3] * one,
+                       c->m[2][0] * p.x + c->m[2][1] * p.y + c->m[2][2] * p.z + c->m[2][3] * one);
+}
+
+/* How near the cell comes to the component, in its own space. */
+static double nearest_of(const component *c, const pov_box *cell)
+{
+    const pov_vec3 half = pov_scale(pov_sub(cell->hi, cell->lo), 0.5);
+    pov_vec3 q = mapped(c, pov_add(cell->lo, half), 1.0);
+    double reach = 0.0;
+
+    q.z -= smaller(larger(q.z, 0.0), c->length);
+    for (int i = 0; i < 3; i++) {
+        const double by = fabs(c->m[i][0]) * half.x + fabs(c->m[i][1]) * half.y + fabs(c->m[i][2]) * half.z;
+
+        reach += by * by;
+    }
+    return larger(sqrt(pov_dot(q, q)) - sqrt(reach), 0.0);
+}
+
+/* Far more than roundings. */
+static bool stays_below(const blob *b, double most) { return most <= b->threshold * (1.0 - 0x1p-30) && b->threshold > 0.0; }
+
+static bool may_hold(const void *self, const pov_box *cell)
+{
+    const blob *b = self;
+    double most = 0.0;
+
+    for (uint32_t i = 0; i < b->count; i++) {
+        const double near = nearest_of(&b->at[i], cell), depth = 1.0 - near * near;
+
+        most += near < 1.0 ? larger(b->at[i].strength, 0.0) * depth * depth : 0.0;
+    }
+    return !stays_below(b, most);
+}
+
 static void parse(void *self, const pov_host *host, pov_reader *in)
 {
+    enum { FEW = 64 };           /* where there are more components, to look for the box would take too long */
     blob *b = self;
+    pov_box whole;
 
     b->threshold = 1.0;
     while (read_item(b, host, in))
         continue;
-    if (b->count == 0)
+    if (b->count == 0) {
         host->fail(in, "a blob needs at least one component with a radius");
-    else
-        place(b);
+        return;
+    }
+    place(b);
+    whole.lo = b->boxed.lo;
+    whole.hi = b->boxed.hi;
+    if (b->count > FEW || !common_cell_box(b, &whole, may_hold, &b->box))
+        b->box = whole;
 }
 
 static bool bounds(const void *self, pov_box *out)
 {
     const blob *b = self;
-    const pov_vec3 middle = pov_two3_hi(b->boxed.anchor), lo = pov_add(pov_scale(b->boxed.lo, 1.0 / b->boxed.scale), middle);
-    const pov_vec3 hi = pov_add(pov_scale(b->boxed.hi, 1.0 / b->boxed.scale), middle);
+    const pov_vec3 middle = pov_two3_hi(b->boxed.anchor), lo = pov_add(pov_scale(b->box.lo, 1.0 / b->boxed.scale), middle);
+    const pov_vec3 hi = pov_add(pov_scale(b->box.hi, 1.0 / b->boxed.scale), middle);
 
     out->lo = pov_vec3_of(common_below(lo.x), common_below(lo.y), common_below(lo.z));
     out->hi = pov_vec3_of(common_above(hi.x), common_above(hi.y), common_above(hi.z));
@@ -239,10 +291,6 @@ static bool bounds(const void *self, pov_box *out)
 }
 
 /* ---- along a ray ---- */
-
-/* Calls of fmin() and fmax() cost more than all else here. */
-static inline double smaller(double a, double b) { return a < b ? a : b; }
-static inline double larger(double a, double b) { return a > b ? a : b; }
 
 /* d^2 / r^2 = a t^2 + 2 b t + c between two distances; the field adds no more than `most` there. */
 typedef struct stretch { double lo, hi, a, b, c, strength, most; } stretch;
@@ -254,13 +302,6 @@ static size_t scratch(const void *self)
     const blob *b = self;
 
     return b->count * 3 * (sizeof(stretch) + 2 * sizeof(double) + sizeof(uint32_t)) + 64;
-}
-
-static pov_vec3 mapped(const component *c, pov_vec3 p, double one)
-{
-    return pov_vec3_of(c->m[0][0] * p.x + c->m[0][1] * p.y + c->m[0][2] * p.z + c->m[0][3] * one,
-                       c->m[1][0] * p.x + c->m[1][1] * p.y + c->m[1][2] * p.z + c->m[1][3] * one,
-                       c->m[2][0] * p.x + c->m[2][1] * p.y + c->m[2][2] * p.z + c->m[2][3] * one);
 }
 
 /* The part of a stretch where it is below one. */
@@ -371,9 +412,6 @@ static bool report(const line *n, double t, pov_hits *hits)
 
     return pov_cross(hits, at.hi * n->k->unit, at.lo * n->k->unit, mark) && !(hits->want == POV_WANT_NEAREST && at.hi * n->k->unit > hits->tmin);
 }
-
-/* Far more than roundings. */
-static bool stays_below(const blob *b, double most) { return most <= b->threshold * (1.0 - 0x1p-30) && b->threshold > 0.0; }
 
 /* False: nothing more is wanted. */
 static bool cross_between(const blob *b, const line *n, const stretch *s, uint32_t count, double from, double to, bool from_here,

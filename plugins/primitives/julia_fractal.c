@@ -1,5 +1,6 @@
 /* julia_fractal { <4 numbers> [quaternion | hypercomplex] [sqr | cube | ...] [max_iteration n] [precision p] [slice <4 numbers>, d] }:
  * points of a three-dimensional slice whose first n places under q -> f(q) + c stay within a sphere. */
+#include "common/cell_box.h"
 #include "common/julia.h"
 
 /* ---- loading ---- */
@@ -78,20 +79,7 @@ static double square_of(const common_number *q) { return q->v[0] * q->v[0] + q->
 
 /* ---- the box around it ---- */
 
-/* Halves of the cube around the sphere, one axis after the other. */
-enum { HALVES = 12, PLACES_OF_BOX = 20 };
-
-static bool is_boxed(const pov_box *all, const pov_box *b)
-{
-    return b->lo.x >= all->lo.x && b->lo.y >= all->lo.y && b->lo.z >= all->lo.z && b->hi.x <= all->hi.x && b->hi.y <= all->hi.y &&
-           b->hi.z <= all->hi.z;
-}
-
-static void add_box(pov_box *all, const pov_box *b)
-{
-    all->lo = pov_vec3_of(fmin(all->lo.x, b->lo.x), fmin(all->lo.y, b->lo.y), fmin(all->lo.z, b->lo.z));
-    all->hi = pov_vec3_of(fmax(all->hi.x, b->hi.x), fmax(all->hi.y, b->hi.y), fmax(all->hi.z, b->hi.z));
-}
+enum { PLACES_OF_BOX = 20 };
 
 /* Of the points whose numbers are up to `off` from the number of p, through so many places at most. */
 static common_side side_of(const common_julia *j, pov_vec3 p, double off, uint32_t most)
@@ -104,35 +92,22 @@ static common_side side_of(const common_julia *j, pov_vec3 p, double off, uint32
     return common_probe_side(&s, 0);
 }
 
-/* Cells that are not certainly outside. */
-static void find_cells(common_julia *j, const pov_box *cell, double rate, uint32_t left)
+static bool may_hold(const void *self, const pov_box *cell)
 {
-    const pov_vec3 size = pov_sub(cell->hi, cell->lo), middle = pov_scale(pov_add(cell->lo, cell->hi), 0.5);
-    pov_box part = *cell;
+    const common_julia *j = self;
+    const pov_vec3 size = pov_sub(cell->hi, cell->lo);
+    const double *n = j->slice.v, last = sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]) / fabs(n[3]);   /* as fast the fourth number changes */
+    const double rate = sqrt(1.0 + last * last);
 
-    if (is_boxed(&j->box, cell) || side_of(j, middle, 0.5 * sqrt(pov_dot(size, size)) * rate, PLACES_OF_BOX) == COMMON_OUT)
-        return;
-    if (left == 0) {
-        add_box(&j->box, cell);
-        return;
-    }
-    *(left % 3 == 0 ? &part.hi.x : left % 3 == 1 ? &part.hi.y : &part.hi.z) = left % 3 == 0 ? middle.x : left % 3 == 1 ? middle.y : middle.z;
-    find_cells(j, &part, rate, left - 1);
-    part = *cell;
-    *(left % 3 == 0 ? &part.lo.x : left % 3 == 1 ? &part.lo.y : &part.lo.z) = left % 3 == 0 ? middle.x : left % 3 == 1 ? middle.y : middle.z;
-    find_cells(j, &part, rate, left - 1);
+    return side_of(j, pov_scale(pov_add(cell->lo, cell->hi), 0.5), 0.5 * sqrt(pov_dot(size, size)) * rate, PLACES_OF_BOX) != COMMON_OUT;
 }
 
 static void find_box(common_julia *j)
 {
-    const double r = j->reach * (1.0 + 0x1p-20), *n = j->slice.v;
+    const double r = j->reach * (1.0 + 0x1p-20);
     const pov_box cube = { { -r, -r, -r }, { r, r, r } };
-    /* How fast the fourth number changes. */
-    const double last = sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]) / fabs(n[3]);
 
-    j->box.lo = cube.hi;
-    j->box.hi = cube.lo;
-    find_cells(j, &cube, sqrt(1.0 + last * last), HALVES);
+    common_cell_box(j, &cube, may_hold, &j->box);
 }
 
 static void parse(void *self, const pov_host *host, pov_reader *in)
