@@ -151,8 +151,6 @@ bool csg_clipped_first(csg_traversal *w, pov_hits *hits)
     const pov_ray *ray;
     pov_ray own;
 
-    if (!csg_traversal_enters(w, hits))
-        return true;
     for (uint32_t i = 0; i < c->count; i++)
         if (!narrow(&s, &w->tree->members[c->clip[i]], hits))
             return !s.unsure;

@@ -302,33 +302,50 @@ void common_polynomial_intersect_between(const void *self, const pov_ray *ray, p
 
 /* ---- points ---- */
 
-/* The value, and its slope. */
-static double value_at(const common_polynomial *p, pov_vec3 at, pov_vec3 *slope)
+/* A number, and its slope. */
+typedef struct sloped { double value, x, y, z; } sloped;
+
+/* The coefficient of x^i y^j: a sum of powers of z. */
+static sloped row_at(const common_polynomial *p, uint32_t row, double z)
 {
-    const double *c = p->at;
-    double x = 0.0, by_x = 0.0, x_by_y = 0.0, x_by_z = 0.0;
+    const common_term *term = p->term + p->first[row], *end = p->term + p->first[row + 1];
+    sloped s = { 0.0, 0.0, 0.0, 0.0 };
 
-    for (int i = p->order; i >= 0; i--) {
-        double y = 0.0, by_y = 0.0, y_by_z = 0.0;
-
-        for (int j = p->order - i; j >= 0; j--) {
-            double z = 0.0, by_z = 0.0;
-
-            for (int k = p->order - i - j; k >= 0; k--) {
-                by_z = by_z * at.z + z;
-                z = z * at.z + *c++;
-            }
-            by_y = by_y * at.y + y;
-            y = y * at.y + z;
-            y_by_z = y_by_z * at.y + by_z;
-        }
-        by_x = by_x * at.x + x;
-        x = x * at.x + y;
-        x_by_y = x_by_y * at.x + by_y;
-        x_by_z = x_by_z * at.x + y_by_z;
+    if (term == end)
+        return s;
+    for (int k = term->k; k >= 0; k--) {
+        s.z = s.z * z + s.value;
+        s.value *= z;
+        if (term < end && term->k == k)
+            s.value += term++->c;
     }
-    *slope = pov_vec3_of(by_x, x_by_y, x_by_z);
-    return x;
+    return s;
+}
+
+/* Horner's scheme from the highest powers that are there. */
+static double value_at(const common_polynomial *p, pov_vec3 at, pov_vec3 *out)
+{
+    const int n = p->order;
+    sloped s = { 0.0, 0.0, 0.0, 0.0 };
+
+    for (int i = p->highest_x; i >= 0; i--) {
+        const uint32_t row = (uint32_t)((n - i) * (n - i + 1) / 2 + n - i);   /* of j = 0 */
+        sloped y = { 0.0, 0.0, 0.0, 0.0 };
+
+        for (int j = p->highest[i]; j >= 0; j--) {
+            const sloped z = row_at(p, row - (uint32_t)j, at.z);
+
+            y.y = y.y * at.y + y.value;
+            y.value = y.value * at.y + z.value;
+            y.z = y.z * at.y + z.z;
+        }
+        s.x = s.x * at.x + s.value;
+        s.value = s.value * at.x + y.value;
+        s.y = s.y * at.x + y.y;
+        s.z = s.z * at.x + y.z;
+    }
+    *out = pov_vec3_of(s.x, s.y, s.z);
+    return s.value;
 }
 
 bool common_polynomial_inside(const void *self, pov_vec3 point, pov_vec3 point_lo)
