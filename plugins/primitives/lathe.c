@@ -184,7 +184,7 @@ typedef struct line {
 } line;
 
 /* Rays that rise less than this are taken as level first. */
-static const double LEVEL = 0x1p-16, NEAR = 0x1p-30;
+static const double LEVEL = 0x1p-16, NEAR = 0x1p-30, BESIDE_START = 0x1p-10;
 
 static void make_line(line *n, const common_ray *k, common_span span)
 {
@@ -229,7 +229,7 @@ static bool may_cross(const line *n, const part *p)
 /* Newton's method for height and radius together, from s and u, which change by less than REFINED. */
 static const double REFINED = 0x1p-9;
 
-static void refine(const line *n, const part *p, common_cross *at)
+static void refine(const line *n, const part *p, double most, common_cross *at)
 {
     for (int turn = 0; turn < 2; turn++) {
         double v[2], slope[2], height, radius, radial, det, ds, du;
@@ -241,18 +241,29 @@ static void refine(const line *n, const part *p, common_cross *at)
         det = 2.0 * v[0] * slope[0] * -n->d.y + slope[1] * radial;
         ds = (2.0 * v[0] * slope[0] * height - slope[1] * radius) / det;
         du = (radial * height - n->d.y * radius) / det;
-        if (!(fabs(ds) < 0x1p-10 && fabs(du) < 0x1p-10))
+        if (!(fabs(ds) < most && fabs(du) < 0x1p-10))
             return;
         at->s += ds;
         at->u += du;
     }
 }
 
-static void cross_risen(const line *n, const part *p, uint32_t piece, common_cross *out, uint32_t *count)
+/* b(u) = (u - at) q(u) for a known root: q from both ends, each up to where its own steps lose nothing. */
+static void divide_out(const double *b, int order, double at, double *q)
+{
+    for (int k = 0; k < order * at && k < order; k++)
+        q[k] = ((k > 0 ? k * (1.0 - at) * q[k - 1] : 0.0) - order * b[k]) / ((order - k) * at);
+    for (int k = order; k >= order * at + 1.0 && k > 0; k--)
+        q[k - 1] = ((k < order ? (order - k) * at * q[k] : 0.0) + order * b[k]) / (k * (1.0 - at));
+}
+
+/* `start`: NULL, or where on the piece the ray starts, which is left out. */
+static void cross_risen(const line *n, const part *p, uint32_t piece, const double *start, common_cross *out, uint32_t *count)
 {
     const double square = n->d.y * n->d.y, linear = 2.0 * (n->b * n->d.y - n->a * n->o.y);
     const double rest = (n->a * n->o.y - 2.0 * n->b * n->d.y) * n->o.y + square * n->c;
-    double b[ORDER + 1], root[ORDER];
+    const double noise = 0x1p-51 * (n->a + fabs(linear) + fabs(rest) + square);
+    double b[ORDER + 1], q[ORDER], root[ORDER];
     bool above = true, below = true;
     uint32_t found;
 
@@ -263,7 +274,9 @@ static void cross_risen(const line *n, const part *p, uint32_t piece, common_cro
     }
     if (above || below)
         return;
-    found = common_bernstein_roots(b, p->order, 0x1p-51 * (n->a + fabs(linear) + fabs(rest) + square), root);
+    if (start)
+        divide_out(b, p->order, *start, q);
+    found = start ? common_bernstein_roots(q, p->order - 1, p->order * noise, root) : common_bernstein_roots(b, p->order, noise, root);
     for (uint32_t i = 0; i < found; i++) {
         common_cross at = { 0.0, root[i], piece };
         double v[2], slope[2];
@@ -274,7 +287,8 @@ static void cross_risen(const line *n, const part *p, uint32_t piece, common_cro
     }
 }
 
-static void cross_level(const line *n, const part *p, uint32_t piece, common_cross *out, uint32_t *count)
+/* The other crossing at the height of the start is as far from the foot. */
+static void cross_level(const line *n, const part *p, uint32_t piece, const double *start, common_cross *out, uint32_t *count)
 {
     const int degree = (int)p->curve.degree;
     double b[4], root[3];
@@ -288,6 +302,12 @@ static void cross_level(const line *n, const part *p, uint32_t piece, common_cro
 
         common_piece_at(&p->curve, root[i], v, slope);
         rest = n->b * n->b - n->a * (n->c - v[0] * v[0]);
+        if (start && fabs(root[i] - *start) < BESIDE_START) {
+            const common_cross at = { 2.0 * n->foot + n->base / n->unit, root[i], piece };
+
+            out[(*count)++] = at;
+            continue;
+        }
         if (!(rest >= 0.0))
             continue;
         for (int sign = -1; sign <= 1; sign += 2) {
@@ -315,32 +335,19 @@ static uint32_t keep_first(const line *n, const common_ray *k, const pov_hits *h
     return kept;
 }
 
-/* The crossing that the ray starts on, or `count`. */
-static uint32_t find_start(const line *n, const pov_ray *ray, const pov_hits *hits, const common_cross *at, uint32_t count)
+/* Does the ray start there, beside the end of another piece, or on its own? */
+static bool is_start(const line *n, uint32_t origin, const common_cross *at)
 {
-    const double start = -n->base / n->unit;
-    double least = NEAR;
-    uint32_t best = count;
-
-    if (ray->origin_surface != hits->owner)
-        return count;
-    for (uint32_t i = 0; i < count; i++) {
-        const double off = fabs(at[i].s - start) * (at[i].piece == ray->origin_mark.feature ? 1.0 : 0x1p14);
-
-        if (off < least) {
-            least = off;
-            best = i;
-        }
-    }
-    return best;
+    return origin != UINT32_MAX && fabs(at->s + n->base / n->unit) < (at->piece == origin ? NEAR : 0x1p-14 * NEAR);
 }
 
 static void cross(const void *self, const pov_ray *ray, const common_entry *e, pov_hits *hits)
 {
     const lathe *l = self;
     const double unit = e->k.unit;
+    const uint32_t origin = ray->origin_surface == hits->owner ? ray->origin_mark.feature : UINT32_MAX;
     common_cross *at = hits->scratch;
-    uint32_t count = 0, start;
+    uint32_t count = 0;
     line n;
 
     make_line(&n, &e->k, e->span);
@@ -348,18 +355,17 @@ static void cross(const void *self, const pov_ray *ray, const common_entry *e, p
         const part *p = &l->parts[i];
 
         if (may_cross(&n, p))
-            (fabs(n.d.y) < LEVEL ? cross_level : cross_risen)(&n, p, i, at, &count);
+            (fabs(n.d.y) < LEVEL ? cross_level : cross_risen)(&n, p, i, i == origin ? &ray->origin_mark.u : NULL, at, &count);
     }
     if (count > 1 && hits->want != POV_WANT_ALL && ray->origin_surface != hits->owner)
         count = keep_first(&n, &e->k, hits, at, count);
     for (uint32_t i = 0; i < count; i++)
-        refine(&n, &l->parts[at[i].piece], &at[i]);
-    start = find_start(&n, ray, hits, at, count);
+        refine(&n, &l->parts[at[i].piece], at[i].piece == origin ? lesser(0x1p-10, 0.25 * fabs(at[i].s + n.base / n.unit)) : 0x1p-10, &at[i]);
     for (uint32_t i = 0; i < count; i++) {
         const pov_two t = pov_two_sum(n.base, at[i].s * n.unit);
         const pov_mark mark = { at[i].piece, 0, at[i].u, 0.0 };
 
-        if (i != start && !pov_cross(hits, t.hi * unit, t.lo * unit, mark))
+        if (!is_start(&n, origin, &at[i]) && !pov_cross(hits, t.hi * unit, t.lo * unit, mark))
             return;
     }
 }
