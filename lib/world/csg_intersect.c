@@ -85,18 +85,46 @@ bool csg_report(const pov_crossing *at, bool enters, pov_hits *hits)
     return more;
 }
 
-/* Are the next two crossings too close for doubles? */
-static bool is_close(const csg_traversal *w)
+/* Are these two crossings too close for doubles? */
+static bool is_close(const csg_traversal *w, uint32_t i)
 {
     const pov_crossing *at = w->found.at;
-    const uint32_t i = w->applied + 1;
 
-    return !w->found.always_exact && i < w->found.count && at[i].t - at[i - 1].t <= CSG_SEPARATION * fabs(at[i].t);
+    return i + 1 < w->found.count && at[i + 1].t - at[i].t <= CSG_SEPARATION * fabs(at[i + 1].t);
 }
 
 /* ---- coincident crossings ---- */
 
 static uint32_t which_of(const csg_traversal *w, const pov_crossing *at) { return csg_which(w, at->owner); }
+
+enum { CLOSE_MAX = 4 };
+
+/* Pass the next crossings, which are too close for doubles, where their order does not matter: with any of their members entered
+ * or left the tree's value is the same. False: it may matter. */
+static bool pass_close(csg_traversal *w)
+{
+    const uint32_t first = w->applied;
+    const int32_t value = w->scratch->states[0].value;
+    uint32_t count = 1;
+    bool same = true;
+
+    while (count < CLOSE_MAX && is_close(w, first + count - 1))
+        count++;
+    same = !is_close(w, first + count - 1);
+    for (uint32_t i = first; i < first + count; i++)
+        same = same && !csg_member_at(w, &w->found.at[i])->patch && !csg_member_at(w, &w->found.at[i])->open;
+    if (!same)
+        return false;
+    /* In the order of a Gray code, which ends with the last one alone. */
+    for (uint32_t i = 1; i < 1u << count; i++) {
+        csg_toggle(w, which_of(w, &w->found.at[first + first_of(i)]));
+        same = same && w->scratch->states[0].value == value;
+    }
+    for (uint32_t i = first; i + 1 < first + count; i++)
+        csg_toggle(w, which_of(w, &w->found.at[i]));
+    w->applied = first + count;
+    return same;
+}
 
 /* Apply members that clip: before the others those that uncover surfaces, after them those that cover. So a surface that
  * coincides with the clip's is visible. */
@@ -201,10 +229,16 @@ static bool traverse(csg_traversal *w, pov_hits *hits, bool exact)
     csg_traversal_begin(w, hits, exact);
     for (;;) {
         csg_test_ahead(w);
-        enough = w->missed || !(w->unsure || is_close(w));
-        if (!enough || w->missed || w->scratch->failed || w->applied == w->found.count || w->found.at[w->applied].t > last ||
-            !pass_point(w, hits))
+        enough = w->missed || !w->unsure;
+        if (!enough || w->missed || w->scratch->failed || w->applied == w->found.count || w->found.at[w->applied].t > last)
             break;
+        if (!exact && is_close(w, w->applied)) {
+            enough = pass_close(w);
+            if (!enough)
+                break;
+        } else if (!pass_point(w, hits)) {
+            break;
+        }
     }
     csg_traversal_end(w);
     hits->escalated += w->found.escalated;

@@ -392,6 +392,43 @@ static void a_shared_face_is_the_first_members(void **state)
     }
 }
 
+/* Two bricks that share a face, merged with a third that begins before both, or behind the face. */
+static uint32_t escalated_at_shared_faces(double from)
+{
+    const node_ref leaves[3] = { 0, 1, 2 };
+    const pov_ray ray = ray_from(pov_vec3_of(0.1, 0.2, -5.0), ahead);
+    pov_crossing at[8];
+    pov_hits hits;
+    csg_root root;
+    scene s;
+
+    begin(&s);
+    brick(&s.model, pov_vec3_of(-1.0, -1.0, 0.0), pov_vec3_of(1.0, 1.0, 1.0));
+    brick(&s.model, pov_vec3_of(-2.0, -1.0, 1.0), pov_vec3_of(2.0, 1.0, 2.0));
+    brick(&s.model, pov_vec3_of(-3.0, -3.0, from), pov_vec3_of(3.0, 3.0, 3.0));
+    assert_true(model_add_tree(&s.model, group(&s.model, NODE_MERGE, false, leaves, 3)));
+    compile(&s, POV_ACCEL_TREE);
+    root.tree = &world_trees(s.world)->items[0];
+    memset(&hits, 0, sizeof hits);
+    hits.tmax = HUGE_VAL;
+    hits.want = POV_WANT_ALL;
+    hits.at = at;
+    hits.capacity = 8;
+    hits.user = &s.context->hit_buffers[0];
+    csg_class.intersect(&root, &ray, &hits);
+    assert_int_equal(hits.count, 2);
+    assert_true(at[0].t == 5.0 + fmin(from, 0.0) && at[1].t == 8.0);
+    end(&s);
+    return hits.escalated;
+}
+
+static void order_is_not_asked_for_where_it_does_not_matter(void **state)
+{
+    (void)state;
+    assert_int_equal(escalated_at_shared_faces(-1.0), 0);
+    assert_true(escalated_at_shared_faces(1.5) > 0);
+}
+
 /* ---- any tree, against what its members say of points ---- */
 
 enum { LEAVES_MAX = 12, CROSSINGS_MAX = 1024, HOLLOWS = 300 };
@@ -775,6 +812,7 @@ int main(void)
         cmocka_unit_test(what_is_taken_from_itself_is_gone),
         cmocka_unit_test(what_only_touches_changes_nothing),
         cmocka_unit_test(a_shared_face_is_the_first_members),
+        cmocka_unit_test(order_is_not_asked_for_where_it_does_not_matter),
         cmocka_unit_test(random_trees_are_what_their_members_say_of_points),
         cmocka_unit_test(convex_members_are_what_their_members_say_of_points),
         cmocka_unit_test(many_hollows_are_all_found),
