@@ -51,7 +51,7 @@ typedef struct args {
     const char *folders[ARGS_LIST], *declares[ARGS_LIST + 1];   /* of -L; of -D, ending with NULL */
     int folder_count, declare_count;
     const char *write_path;      /* or NULL */
-    bool strict, soft_lights;
+    bool strict, soft_lights, quick_colours;
     pov_limits limits;
     size_t most_input, most_images;   /* bytes; 0: the library's defaults */
     uint64_t most_rays;          /* that follow from one of the camera; 0: the library's default */

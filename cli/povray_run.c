@@ -46,7 +46,7 @@ static void say_ignored(const povray *p, const messages *m)
     if (p->type == 'C')
         messages_say(m, "Output_File_Type=C: the TGA is written without compression");
     if (p->quality < 9)
-        messages_say(m, "Quality=%d: pictures are drawn at full quality", p->quality);
+        messages_say(m, "Quality=%d: pictures are drawn at full quality%s", p->quality, p->quality <= 5 ? ", but with each pigment's quick_color" : "");
 }
 
 static void fill_lists(const povray *p, args *a)
@@ -76,6 +76,7 @@ static bool fill(const povray *p, const messages *m, args *a)
     a->progress = p->verbose ? ARGS_PROGRESS_AUTO : ARGS_PROGRESS_NONE;
     a->format = povray_ending(p);
     a->in_whole = true;
+    a->quick_colours = p->quality <= 5;
     if (p->antialias)
         a->error = p->threshold > 0.0 ? p->threshold * error_of_threshold : error_of_threshold;
     fill_lists(p, a);

@@ -48,6 +48,7 @@ static pov_status load(pov_scene **scene, pov_context *context, const args *a, p
     desc.threads = a->threads;
     desc.strict = a->strict;
     desc.soft_lights = a->soft_lights;
+    desc.quick_colours = a->quick_colours;
     desc.width = a->width;
     desc.height = a->height;
     desc.library_path = folders;

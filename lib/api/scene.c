@@ -37,7 +37,7 @@ static pov_status compile(pov_scene *scene, const pov_load_desc *d, pov_error *e
     pov_status status;
 
     scene->model.soft_lights = d->soft_lights;
-    scene->model.identity += d->soft_lights;   /* checkpoints of the one are none of the other */
+    scene->model.identity += d->soft_lights + 2u * d->quick_colours;   /* checkpoints of the one are none of the other */
     status = tell(scene, d, 0.5, err);
     if (status == POV_OK)
         status = world_create(&scene->world, &scene->model, &options, err);
@@ -69,7 +69,7 @@ static const pov_hierarchy *make_hierarchy(model *m, int threads, uint32_t n,
 
 static reader_options reader_options_of(const pov_load_desc *d)
 {
-    reader_options o = { .dialect = d->dialect, .max_trace_level = d->max_trace_level, .strict = d->strict,
+    reader_options o = { .dialect = d->dialect, .max_trace_level = d->max_trace_level, .strict = d->strict, .quick_colours = d->quick_colours,
                          .width = d->width, .height = d->height, .library_path = d->library_path,
                          .write_path = d->write_path, .declares = d->declares, .hierarchy = make_hierarchy,
                          .threads = d->threads };

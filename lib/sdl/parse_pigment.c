@@ -13,6 +13,7 @@ typedef struct pigment_reading {
     value_kind kind;             /* VALUE_PIGMENT or VALUE_DENSITY */
     bool has_colour;
     pigment constant;
+    const pigment_node *quick;   /* NULL: there is no other colour in quick pictures */
     map_parsed map;
 } pigment_reading;
 
@@ -39,6 +40,7 @@ static void take_colour(pov_reader *in, pigment_reading *r) { set_colour(r, read
 static void take_base(pigment_reading *r, const pigment_node *from)
 {
     r->constant = from->most;
+    r->quick = from->quick;
     memset(&r->map, 0, sizeof r->map);
     if (from->space)
         parse_pattern_take_space(&r->pattern, from->space);
@@ -61,7 +63,7 @@ static void take_node(pov_reader *in, void *self, const value *v)
     (void)in;
     parse_pattern_begin(&r->pattern);
     take_base(r, from);
-    r->has_colour = !from->pattern;
+    r->has_colour = false;       /* another one may follow */
 }
 
 static void read_map(pov_reader *in, void *self, keyword_id keyword)
@@ -69,11 +71,13 @@ static void read_map(pov_reader *in, void *self, keyword_id keyword)
     parse_map(in, parse_map_kind(keyword), &((pigment_reading *)self)->map);
 }
 
-static void skip_quick_colour(pov_reader *in, void *self, keyword_id keyword)
+static void read_quick_colour(pov_reader *in, void *self, keyword_id keyword)
 {
-    (void)self;
+    const paint p = value_colour(in, true);
+
     (void)keyword;
-    value_colour(in, true);
+    if (!in->failed)
+        ((pigment_reading *)self)->quick = textures_constant(in, &(pigment){ p.colour, p.filter, p.transmit });
 }
 
 /* ---- lists ---- */
@@ -193,6 +197,7 @@ static const pigment_node *make_varying(pov_reader *in, pigment_reading *r)
 
     memset(&node, 0, sizeof node);
     node.pattern = parse_pattern_end(in, &r->pattern);
+    node.quick = r->quick;
     if (class->colours) {
         node.most = class->most(r->pattern.self.bytes);
         return textures_pigment(in, &node);
@@ -231,6 +236,7 @@ static const pigment_node *make_node(pov_reader *in, pigment_reading *r)
         return *(const pigment_node *const *)r->map.members;
     memset(&node, 0, sizeof node);
     node.most = r->constant;
+    node.quick = r->quick;
     node.space = parse_pattern_space(in, &r->pattern);
     return textures_pigment(in, &node);
 }
@@ -253,7 +259,7 @@ static void refuse(pov_reader *in)
 static const item items[] = {
     { KEYWORD_COLOR_MAP, read_map },     { KEYWORD_COLOUR_MAP, read_map },
     { KEYWORD_PIGMENT_MAP, read_map },   { KEYWORD_DENSITY_MAP, read_map },
-    { KEYWORD_QUICK_COLOR, skip_quick_colour }, { KEYWORD_QUICK_COLOUR, skip_quick_colour },
+    { KEYWORD_QUICK_COLOR, read_quick_colour }, { KEYWORD_QUICK_COLOUR, read_quick_colour },
 };
 
 static void read_item(pov_reader *in, pigment_reading *r)

@@ -411,7 +411,7 @@ static void settle(pov_reader *in, const texture *outside, const texture *inside
     material_set_textures(last, outside, inside);
 }
 
-void parse_surface_material(pov_reader *in, const surface_parsed *s, material *out)
+static void make_material(pov_reader *in, const surface_parsed *s, material *out)
 {
     const texture *outside;
 
@@ -432,4 +432,20 @@ void parse_surface_material(pov_reader *in, const surface_parsed *s, material *o
     settle(in, outside, s->uv ? textures_uv(in, s->inside) : s->inside);
     *out = in->textured;
     out->interior = s->material.interior;
+}
+
+void parse_surface_material(pov_reader *in, const surface_parsed *s, material *out)
+{
+    surface_parsed quick;
+
+    if (!textures_are_quick(in)) {
+        make_material(in, s, out);
+        return;
+    }
+    quick = *s;
+    quick.pigment = textures_quick_pigment(in, s->pigment);
+    quick.whole = textures_quick(in, s->whole);
+    quick.under = textures_quick(in, s->under);
+    quick.inside = textures_quick(in, s->inside);
+    make_material(in, &quick, out);
 }

@@ -27,6 +27,7 @@ typedef struct reader_frames {
 typedef struct reader_options {
     pov_dialect dialect;         /* AUTO: the text decides */
     int max_trace_level;         /* 0: what the scene says */
+    bool quick_colours;          /* pigments are their quick_color */
     bool strict;                 /* what is not supported yet is an error */
     int width, height;           /* of the picture; 0: not known */
     const char *library_path;    /* folders of include files, colon separated, or NULL */

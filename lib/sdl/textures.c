@@ -122,21 +122,22 @@ static const normal_node *change_normal(pov_reader *in, const normal_node *n, co
 
 static const texture *change_texture(pov_reader *in, const texture *t, const change *by);
 
-static const texture *change_layers(pov_reader *in, const texture *t, const change *by)
+/* by NULL: as they are in quick pictures. */
+static const texture *change_members(pov_reader *in, const texture *t, const change *by)
 {
-    const texture **layers = env_alloc(in->model->env, t->count, sizeof *layers), *changed = NULL;
+    const texture **members = env_alloc(in->model->env, t->count, sizeof *members), *changed = NULL;
     texture own = *t;
 
-    if (!layers) {
+    if (!members) {
         report_memory(in);
         return t;
     }
     for (uint32_t i = 0; i < t->count; i++)
-        layers[i] = change_texture(in, t->textures[i], by);
-    own.textures = layers;
+        members[i] = by ? change_texture(in, t->textures[i], by) : textures_quick(in, t->textures[i]);
+    own.textures = members;
     if (!in->failed)
         changed = textures_texture(in, &own);
-    env_free(in->model->env, layers);
+    env_free(in->model->env, members);
     return changed;
 }
 
@@ -148,7 +149,7 @@ static const texture *change_texture(pov_reader *in, const texture *t, const cha
     if (!t || in->failed)
         return t;
     if (t->blend == BLEND_LAYERS)
-        return change_layers(in, t, by);
+        return change_members(in, t, by);
     own = *t;
     own.pattern = change_pattern(in, t->pattern, by);
     own.pigment = change_pigment(in, t->pigment, by);
@@ -182,6 +183,55 @@ static const change upon_uv = { NULL, true };
 const pigment_node *textures_uv_pigment(pov_reader *in, const pigment_node *p) { return change_pigment(in, p, &upon_uv); }
 const normal_node *textures_uv_normal(pov_reader *in, const normal_node *n) { return change_normal(in, n, &upon_uv); }
 const texture *textures_uv(pov_reader *in, const texture *t) { return change_texture(in, t, &upon_uv); }
+
+/* ---- quick pictures ---- */
+
+bool textures_are_quick(const pov_reader *in) { return in->options && in->options->quick_colours; }
+
+static const pigment_node *make_quick(pov_reader *in, const pigment_node *p, const pigment_node **members)
+{
+    pigment_node own = *p;
+
+    for (uint32_t i = 0; i < p->count; i++) {
+        members[i] = textures_quick_pigment(in, p->pigments[i]);
+        if (in->failed)
+            return p;
+        own.most = i > 0 ? pigment_most(own.most, members[i]->most) : members[i]->most;
+    }
+    own.pigments = members;
+    return textures_pigment(in, &own);
+}
+
+const pigment_node *textures_quick_pigment(pov_reader *in, const pigment_node *p)
+{
+    const pigment_node **members, *out = p;
+
+    if (p && p->quick)
+        return p->quick;
+    if (!p || !p->pigments || in->failed)
+        return p;
+    members = env_alloc(in->model->env, p->count, sizeof *members);
+    if (members)
+        out = make_quick(in, p, members);
+    else
+        report_memory(in);
+    env_free(in->model->env, members);
+    return out;
+}
+
+const texture *textures_quick(pov_reader *in, const texture *t)
+{
+    texture own;
+
+    if (!t || in->failed)
+        return t;
+    own = *t;
+    if (t->blend == BLEND_NONE) {
+        own.pigment = textures_quick_pigment(in, t->pigment);
+        return textures_texture(in, &own);
+    }
+    return change_members(in, t, NULL);
+}
 
 /* ---- use ---- */
 

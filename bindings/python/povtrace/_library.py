@@ -53,7 +53,7 @@ typedef struct {
     const char *const *declares;
     const void *animation;
     struct { size_t depth, array, string; uint64_t turns; size_t memory; double seconds; } limits;
-    bool soft_lights;
+    bool soft_lights, quick_colours;
     uint64_t most_rays;
     bool (*progress)(void *user, double fraction, size_t objects);
     void *progress_user;

@@ -65,6 +65,7 @@ typedef struct pov_load_desc {
     const pov_animation *animation;   /* NULL: one picture, clock 0 */
     pov_limits limits;
     bool soft_lights;            /* area lights are lit all over, by chance, and not at the points of their grids only */
+    bool quick_colours;          /* pigments with a quick_color are that, as POV-Ray's at a Quality of 5 and below */
     uint64_t most_rays;          /* that may follow from one ray of the camera, shadow rays not counted: more is an error
                                   * while rendering; 0: a default that no honest scene meets, 10^8 */
     /* Called now and then by the thread that loads. fraction goes from 0 to 1/2 while the text is read, by the place in
