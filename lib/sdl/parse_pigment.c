@@ -278,6 +278,7 @@ static void begin(pigment_reading *r, value_kind kind, const pigment_node *base)
     parse_pattern_begin(&r->pattern);
     r->kind = kind;
     r->has_colour = false;
+    r->quick = NULL;
     memset(&r->constant, 0, sizeof r->constant);
     memset(&r->map, 0, sizeof r->map);
     if (base)

@@ -27,6 +27,7 @@ typedef struct SIMD_ALIGNED reflectances {
     double course[BATCH_MAX];    /* from min to max */
     float share[BATCH_MAX];      /* of the pigment's colour */
     float by[3][BATCH_MAX];      /* what is reflected */
+    float weight[BATCH_MAX];     /* of the ray: its largest component before metal dyes it, as in POV-Ray */
     uint32_t count;
     uint8_t of[BATCH_MAX];       /* the surface */
     bool has_fresnel, has_powers, has_metal;
@@ -93,6 +94,8 @@ SIMD_CLONES static void dye(reflectances *restrict m, int k, uint32_t n)
     }
 }
 
+static colour colour_at(const reflectances *m, uint32_t i) { return colour_of(m->by[0][i], m->by[1][i], m->by[2][i]); }
+
 static void find_all(reflectances *m, const model *of)
 {
     const uint32_t n = m->count;
@@ -104,11 +107,12 @@ static void find_all(reflectances *m, const model *of)
         add_fresnel(m, n);
     if (m->has_metal)
         find_shares(m, of->fresnel_metallic, n);
-    for (int k = 0; k < 3; k++) {
+    for (int k = 0; k < 3; k++)
         mix_colours(m, k, n);
-        if (m->has_metal)
-            dye(m, k, n);
-    }
+    for (uint32_t i = 0; i < n; i++)
+        m->weight[i] = colour_weight(colour_at(m, i));
+    for (int k = 0; m->has_metal && k < 3; k++)
+        dye(m, k, n);
 }
 
 /* The ior of the object over that of the dielectric entered last, and the inverse where the ray leaves the only one. That
@@ -154,11 +158,12 @@ static void add_one(const shade_context *c, reflectances *m, const surfaces *s, 
     m->has_metal |= r->metallic != 0.0f;
 }
 
-static void set(const shade_context *c, appearance *a, colour by, const geometry *g, uint32_t lane)
+static void set(const shade_context *c, appearance *a, coefficient mirrored, const geometry *g, uint32_t lane)
 {
     const finish *f = a->finish;
+    const colour by = mirrored.by;
 
-    a->reflection = coefficient_of(by);
+    a->reflection = mirrored;
     if (f->conserve_energy)
         appearance_set_filter(a, c->scene->model, colour_mul(a->filter.by, colour_of(1.0f - by.r, 1.0f - by.g, 1.0f - by.b)));
     if (f->irid.amount != 0.0f && !a->powered)
@@ -195,9 +200,10 @@ static void set_all(const shade_context *c, surfaces *s, reflectances *m)
     }
     find_all(m, c->scene->model);
     for (uint32_t k = 0; k < m->count; k++) {
+        const coefficient mirrored = { colour_at(m, k), m->weight[k] };
         const uint32_t i = m->of[k];
 
-        set(c, own_of(s, i), colour_of(m->by[0][k], m->by[1][k], m->by[2][k]), &s->geometry, i);
+        set(c, own_of(s, i), mirrored, &s->geometry, i);
     }
 }
 

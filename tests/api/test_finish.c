@@ -217,6 +217,19 @@ static void filters_below_zero_are_weighed_by_their_size(void **state)
     CHECK(samples);
 }
 
+/* What metal takes away does not count in the weight of the ray: it is followed although less is left than adc_bailout. */
+static void metal_does_not_end_rays(void **state)
+{
+    float *p = scenes_draw("#version 3.7; global_settings { assumed_gamma 1 adc_bailout .03 } background { rgb 1 } "
+                           "camera { orthographic location <0,0,-10> direction z right .001*x up .001*y } "
+                           "sphere { 0, 1 pigment { rgb .5 } finish { ambient 0 diffuse 0 reflection { .05 metallic 1 } } }", 1, 1, 1, 1);
+
+    (void)state;
+    if (fabs((double)p[0] - 0.025) > 2e-5)
+        fail_msg("%f", (double)p[0]);
+    free(p);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -232,6 +245,7 @@ int main(void)
         cmocka_unit_test(strengths_below_zero_are_left_out),
         cmocka_unit_test(filters_below_zero_are_weighed_by_their_size),
         cmocka_unit_test(a_film_changes_all_light_by_its_wavelength),
+        cmocka_unit_test(metal_does_not_end_rays),
     };
 
     return cmocka_run_group_tests_name("finishes", tests, NULL, NULL);
