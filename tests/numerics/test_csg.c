@@ -1,7 +1,8 @@
 /* test_csg.c - random trees of solids against their rules, in 512 bits, on the same doubles.
  *
  * Members are spheres, boxes, cylinders, cones, tori, planes and quadrics of the plugins, part of them on a grid of
- * quarters, part copies of others: faces coincide, and rays along the grid meet edges and tangents. A ray that met a
+ * quarters, part copies of others: faces coincide, and rays along the grid meet edges and tangents. Some clip others, but for what
+ * complements are taken of. A ray that met a
  * surface goes on from it twice: straight ahead, and anywhere. Without arguments a short run; test_csg RAYS [SEED] for a
  * long one. */
 #include "query/context.h"   /* before probe.h, whose name for a kind it uses for a parameter */
@@ -33,6 +34,7 @@ typedef struct scene {
     node_ref root;
     double on_grid;              /* share of coordinates on the grid */
     bool tori;                   /* nothing but tori, most of them equal */
+    bool hidden[MEMBERS];        /* they clip */
     world *world;
     query_context *context;
 } scene;
@@ -146,17 +148,24 @@ static node_ref add_member(scene *s)
     return test_add(&s->model, shape, parse(s, p, shape), NULL, 0, U() < 0.1 ? LEAF_INVERSE : 0);
 }
 
-static node_ref add_tree(scene *s, int depth)
+/* complement: it is taken of something around it. */
+static node_ref add_tree(scene *s, int depth, bool complement)
 {
-    const node_op op = (node_op)below(4);
-    const group_node shape = { .op = op, .inverse = U() < 0.1, .united = op == NODE_UNION, .line = 1, .column = 1 };
+    const bool inverse = U() < 0.1;
+    const node_op op = (node_op)below(complement || inverse ? 4 : 5);
+    const group_node shape = { .op = op, .inverse = inverse, .united = op == NODE_UNION, .line = 1, .column = 1 };
     const uint32_t n = 2 + below(2);
     node_ref children[3], out;
 
     if (depth == 0)
         return add_member(s);
-    for (uint32_t i = 0; i < n; i++)
-        children[i] = add_tree(s, depth - 1);
+    for (uint32_t i = 0; i < n; i++) {
+        const size_t first = s->model.leaves.count;
+
+        children[i] = add_tree(s, depth - 1, complement || inverse || (op == NODE_DIFFERENCE && i > 0));
+        for (size_t k = first; op == NODE_CLIP && i > 0 && k < s->model.leaves.count; k++)
+            s->hidden[k] = true;
+    }
     assert_true(model_add_group(&s->model, &shape, children, n, &out));
     return out;
 }
@@ -361,30 +370,49 @@ static uint32_t owner_of(const scene *s, course *c, int first, int end, bool ent
         for (int k = first; k < end; k++)
             times += c->at[k].member == m;
         value_of(s, c, s->root, &sense, m, 1);
-        if (times & 1 && (c->inside[m] == (sense > 0)) == enters && m < best)
+        if (!s->hidden[m] && times & 1 && (c->inside[m] == (sense > 0)) == enters && m < best)
             best = m;
     }
     return best;
+}
+
+/* Members that clip are applied before the others of a place where they uncover, and else behind them. */
+static void apply(const scene *s, course *c, int first, int end, bool hidden, bool uncover, bool *applied)
+{
+    for (int i = first; i < end; i++) {
+        const uint32_t m = c->at[i].member;
+        int sense = 0;
+
+        value_of(s, c, s->root, &sense, m, 1);
+        if (applied[i - first] || s->hidden[m] != hidden || (uncover && c->inside[m] != (sense < 0)))
+            continue;
+        applied[i - first] = true;
+        c->inside[m] ^= true;
+    }
 }
 
 /* The first surface. False: there is none. */
 static bool first_surface(const scene *s, course *c, real *t, double *cosine, uint32_t *owner, bool *enters, bool *shared)
 {
     for (int first = 0, end; first < c->count; first = end) {
-        const int before = value_of(s, c, s->root, NULL, 0, 1);
-        int after;
+        bool applied[PLACES_MAX] = { false };
+        int before, after;
 
         end = end_of(c, first);
-        for (int i = first; i < end; i++)
-            c->inside[c->at[i].member] ^= true;
+        apply(s, c, first, end, true, true, applied);
+        before = value_of(s, c, s->root, NULL, 0, 1);
+        apply(s, c, first, end, false, false, applied);
         after = value_of(s, c, s->root, NULL, 0, 1);
-        if (after == before)
+        if (after == before) {
+            apply(s, c, first, end, true, false, applied);
             continue;
+        }
         *t = c->at[first].at->t;
         *cosine = c->at[first].cosine;
         *enters = after > before;
         *shared = end - first > 1;
         *owner = owner_of(s, c, first, end, *enters);
+        c->open = c->open || *owner == UINT32_MAX;
         return true;
     }
     return false;
@@ -485,7 +513,7 @@ static void make_and_judge(tally *out, int round, bool tori)
     s.in = fake_reader_create();
     s.on_grid = 0.33 * (round % 4);
     s.tori = tori;
-    s.root = add_tree(&s, 1 + (int)below(tori ? 2 : 3));
+    s.root = add_tree(&s, 1 + (int)below(tori ? 2 : 3), false);
     assert_true(model_add_tree(&s.model, s.root));
     if (s.model.trees.count == 1 && s.model.trees.items[0] == s.root) {
         assert_int_equal(world_create(&s.world, &s.model, &options, NULL), POV_OK);
