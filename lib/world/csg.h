@@ -77,7 +77,8 @@ typedef struct csg_outline {
     pov_vec3 centre;             /* of the tree's box; without one, the origin */
     double size, per_size;       /* half of its largest extent, or about that of what the tree has; and the inverse */
     uint32_t slabs, quadrics;    /* filled up to whole vectors */
-    uint8_t slab_of[3 * CSG_COLUMNS], quadric_of[CSG_COLUMNS];   /* columns */
+    uint8_t first_slab[CSG_COLUMNS + 1];     /* by column: the first of its slabs, which stand one behind the other */
+    uint32_t round;              /* columns, as bits: they have a quadric, in this order */
     double numbers[];
 } csg_outline;
 

@@ -99,20 +99,18 @@ static bool add_quadric(const pov_outline *c, const own_map *map, double *to)
 }
 
 /* What fills up a vector: crossed nowhere near, and met never, in a column that nobody asks. */
-static void fill_up(csg_outline *of, double *slabs, double *quadrics, uint32_t slab_count, uint32_t quadric_count)
+static void fill_up(const csg_outline *of, double *slabs, double *quadrics, uint32_t slab_count, uint32_t quadric_count)
 {
     for (uint32_t i = slab_count; i < of->slabs; i++) {
         double *to = numbers_of(slabs, SLAB_NUMBERS, i);
 
         to[3 * FOUR] = -1.0;
         to[4 * FOUR] = 1.0;
-        of->slab_of[i] = CSG_COLUMNS;
     }
     for (uint32_t i = quadric_count; i < of->quadrics; i++) {
         double *to = numbers_of(quadrics, QUADRIC_NUMBERS, i);
 
         to[0] = to[FOUR] = to[2 * FOUR] = to[9 * FOUR] = 1.0;
-        of->quadric_of[i] = CSG_COLUMNS;
     }
 }
 
@@ -126,18 +124,18 @@ static bool add_all(const csg_tree *t, const pov_outline *all, csg_outline *of)
 
         if (!find_map(&t->members[of->member[i]], &all[i], of, &map))
             return false;
-        for (uint32_t k = 0; k < all[i].slabs; k++, s++) {
-            of->slab_of[s] = (uint8_t)i;
+        of->first_slab[i] = (uint8_t)s;
+        for (uint32_t k = 0; k < all[i].slabs; k++, s++)
             if (!add_slab(&all[i], (int)k, &map, numbers_of(slabs, SLAB_NUMBERS, s)))
                 return false;
-        }
         if (all[i].round) {
-            of->quadric_of[q] = (uint8_t)i;
+            of->round |= 1u << i;
             if (!add_quadric(&all[i], &map, numbers_of(quadrics, QUADRIC_NUMBERS, q)))
                 return false;
             q++;
         }
     }
+    of->first_slab[of->count] = (uint8_t)s;
     fill_up(of, slabs, quadrics, s, q);
     return true;
 }
@@ -343,28 +341,31 @@ SIMD_CLONES static void cross_all(const csg_outline *of, pov_vec3 p, pov_vec3 d,
 
 static bool is_near(double a, double b) { return fabs(a - b) <= margin; }
 
-/* False: open. */
+/* What all slabs and the quadric of a column have in common. False: open. */
 static bool gather(const csg_outline *of, const near_ray *k, csg_intervals *io)
 {
-    const uint32_t slabs = of->slabs;
+    uint32_t quadric = of->slabs;
     double open = 0.0;
     stretches s;
 
     cross_all(of, k->at, k->along, io->from, &s);
-    for (uint32_t i = 0; i < of->count; i++) {
-        io->in[i] = -HUGE_VAL;
-        io->out[i] = HUGE_VAL;
-    }
     io->outside = 0;
-    for (uint32_t i = 0; i < slabs + of->quadrics; i++) {
-        const uint32_t c = i < slabs ? of->slab_of[i] : of->quadric_of[i - slabs];
+    for (uint32_t c = 0; c < of->count; c++) {
+        double in = -HUGE_VAL, out = HUGE_VAL;
 
-        if (c == CSG_COLUMNS)
-            continue;
-        io->in[c] = s.in[i] > io->in[c] ? s.in[i] : io->in[c];
-        io->out[c] = s.out[i] < io->out[c] ? s.out[i] : io->out[c];
-        open += s.open[i];
-        io->outside |= (uint32_t)(i >= slabs && s.square[i - slabs] < 0.0) << c;
+        for (uint32_t i = of->first_slab[c]; i < of->first_slab[c + 1]; i++) {
+            in = s.in[i] > in ? s.in[i] : in;
+            out = s.out[i] < out ? s.out[i] : out;
+            open += s.open[i];
+        }
+        if (of->round >> c & 1) {
+            in = s.in[quadric] > in ? s.in[quadric] : in;
+            out = s.out[quadric] < out ? s.out[quadric] : out;
+            open += s.open[quadric];
+            io->outside |= (uint32_t)(s.square[quadric++ - of->slabs] < 0.0) << c;
+        }
+        io->in[c] = in;
+        io->out[c] = out;
     }
     return open == 0.0 && !(io->outside & ~of->bare);
 }
@@ -485,11 +486,29 @@ static csg_found find(const csg_tree *t, const csg_intervals *of, double most, c
     return found;
 }
 
+/* Is the ray ahead and before `most` certainly never within all members that are no complements? */
+static bool is_nowhere(const csg_tree *t, const csg_intervals *of, double most)
+{
+    double enter = -HUGE_VAL, leave = HUGE_VAL;
+
+    for (uint32_t left = t->chords.within; left; left &= left - 1) {
+        const uint32_t i = first_of(left);
+
+        enter = of->in[i] > enter ? of->in[i] : enter;
+        leave = of->out[i] < leave ? of->out[i] : leave;
+    }
+    return enter > leave + margin || leave < of->start - margin || (enter - of->start - margin) * of->per_unit > most;
+}
+
 csg_found csg_outline_first(const csg_tree *t, const pov_ray *ray, uint32_t from, double most, csg_first *out)
 {
     csg_intervals of;
 
-    if (!csg_outline_cross(t->outline, ray, &of) || !begin(t->few.count, from, &of))
+    if (!csg_outline_cross(t->outline, ray, &of))
+        return CSG_OPEN;
+    if (is_nowhere(t, &of, most))
+        return CSG_NOTHING;
+    if (!begin(t->few.count, from, &of))
         return CSG_OPEN;
     return find(t, &of, most, out);
 }
