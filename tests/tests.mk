@@ -18,13 +18,14 @@ $(BUILD)/tests/$(1)%: $(BUILD)/obj/$(1)tests/%.o $(SUPPORT_SOURCES:%.c=$(BUILD)/
 	$$(call say,LINK,$$@) $$(CC) $$(LINK_FLAGS) $$(filter %.o,$$^) $$(filter %.a,$$^) -lcmocka $$(TEST_LIBS) $$(SYSTEM_LIBS) -o $$@
 
 $(BUILD)/tests/$(1)numerics/%: TEST_LIBS = -lmpfr -lgmp
-$(addprefix $(BUILD)/tests/$(1)numerics/test_,primitives leaving maps watertight csg csg_outline findings piecewise facets): \
+$(addprefix $(BUILD)/tests/$(1)numerics/test_,primitives leaving maps watertight csg csg_outline findings piecewise facets strokes): \
     $(patsubst %,$(BUILD)/obj/$(1)tests/numerics/%.o,real probe exact exact_torus families families_round) | $(PRIMITIVES)
 $(addprefix $(BUILD)/tests/$(1)numerics/test_,primitives leaving findings): $(BUILD)/obj/$(1)tests/numerics/leaving.o
 $(addprefix $(BUILD)/tests/$(1)numerics/test_,maps findings): $(BUILD)/obj/$(1)tests/numerics/real_map.o
 $(BUILD)/tests/$(1)numerics/test_findings: $(BUILD)/obj/$(1)tests/numerics/findings.o
 $(BUILD)/tests/$(1)numerics/test_primitives: $(BUILD)/obj/$(1)tests/numerics/harness.o
-$(BUILD)/tests/$(1)numerics/test_piecewise: $(BUILD)/obj/$(1)tests/numerics/piecewise.o
+$(addprefix $(BUILD)/tests/$(1)numerics/test_,piecewise strokes): $(patsubst %,$(BUILD)/obj/$(1)tests/numerics/%.o,piecewise kinds)
+$(BUILD)/tests/$(1)numerics/test_strokes: $(BUILD)/obj/$(1)tests/numerics/font.o
 $(BUILD)/tests/$(1)plugins/test_contract: $(CONTRACT_SOURCES:%.c=$(BUILD)/obj/$(1)%.o) | $(PRIMITIVES) $(OUT_OF_TREE)
 endef
 $(eval $(call TEST_RULES,))
@@ -56,13 +57,14 @@ EDGES ?= 100000000
 LEAVING ?= 1000000
 FINDINGS ?= 160000
 .PHONY: accuracy
-accuracy: $(addprefix $(BUILD)/tests/numerics/,test_primitives test_watertight test_leaving test_maps test_findings test_piecewise test_facets) $(METHODS)
+accuracy: $(addprefix $(BUILD)/tests/numerics/,test_primitives test_watertight test_leaving test_maps test_findings test_piecewise test_facets test_strokes) $(METHODS)
 	$(BUILD)/tests/numerics/test_primitives $(RAYS) $(BUILD)/accuracy.csv
 	$(BUILD)/tests/numerics/test_watertight $(EDGES)
 	$(BUILD)/tests/numerics/test_leaving $(LEAVING)
 	$(BUILD)/tests/numerics/test_maps $(RAYS)
 	$(BUILD)/tests/numerics/test_piecewise $(RAYS)
 	$(BUILD)/tests/numerics/test_facets $(RAYS)
+	$(BUILD)/tests/numerics/test_strokes $(RAYS)
 	$(BUILD)/tests/numerics/test_findings $(FINDINGS)
 	$(MAKE) --no-print-directory accuracy-report
 

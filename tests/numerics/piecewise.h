@@ -5,7 +5,7 @@
 
 #include "numerics/real.h"
 
-enum { PIECE_DEGREE = 8, PIECES_MAX = 24 };
+enum { PIECE_DEGREE = 12, PIECES_MAX = 24 };
 
 /* The sum of c[i] t^i. */
 typedef struct poly_real { int degree; real c[PIECE_DEGREE + 1]; } poly_real;

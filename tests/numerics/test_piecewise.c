@@ -1,40 +1,17 @@
 /* test_piecewise.c - shapes whose equation along a ray is a polynomial, or some one after the other, against 512 bits: each crossing
- * that is there is found, and no other, unless two lie nearer than TOUCH to each other.
+ * that is there is found, and no other, unless two lie nearer than KIND_TOUCH to each other.
  *
  * Rays from near and far, aimed anywhere, and rays that graze the surface by 1e-1 to 1e-9 of its size. test_piecewise RAYS for
  * a long run of each shape. */
 #include "numerics/draw.h"
-#include "numerics/piecewise.h"
+#include "numerics/kinds.h"
 
 #include "support/check.h"
 #include "support/fake_reader.h"
-#include "support/rays.h"
 
-#include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
-
-enum { MOST = 32, NUMBERS = 40, RAYS_A_SHAPE = 50 };
-
-/* Of sizes of the shape: crossings nearer to each other, or to the rim of a cap, are open. How far distances may be off, in sizes
- * and as a part of themselves; grazing rays cross slowly, and where they bend away on both sides (a triple root) slower still. */
-static const double TOUCH = 0x1p-20, OFF = 0x1p-24, PART = 0x1p-48, BENT = 0x1p-14;
 
 static long rays = 3000;
-
-typedef struct shape { int count; double number[NUMBERS]; } shape;
-
-/* Along a ray, with exact numbers. */
-typedef struct along { poly_real x, y, z; real end; } along;
-
-/* What is there: crossings, and whether a double cannot be expected to tell. */
-typedef struct answer { int count; double at[MOST]; bool open; } answer;
-
-typedef struct kind_row {
-    const char *keyword;
-    void (*make)(shape *s, pov_reader *in);
-    void (*solve)(const shape *s, const along *a, answer *out);
-} kind_row;
 
 /* ---- of one polynomial ---- */
 
@@ -64,13 +41,6 @@ static void make_polynomial(shape *s, pov_reader *in, int order)
 static void make_cubic(shape *s, pov_reader *in) { make_polynomial(s, in, 3); }
 static void make_quartic(shape *s, pov_reader *in) { make_polynomial(s, in, 4); }
 
-static void collect(const poly_real *p, real from, real to, answer *out)
-{
-    const poly_piece piece = { *p, from, to };
-
-    out->count += poly_roots(&piece, out->at + out->count, MOST - out->count);
-}
-
 static void solve_polynomial(const shape *s, const along *a, int order, answer *out)
 {
     poly_real powers[3][PIECE_DEGREE], sum = poly_of(real_of(0.0));
@@ -93,7 +63,7 @@ static void solve_polynomial(const shape *s, const along *a, int order, answer *
                 term = poly_scale(&term, real_of(s->number[at]));
                 sum = poly_add(&sum, &term);
             }
-    collect(&sum, real_of(0.0), a->end, out);
+    kinds_collect(&sum, real_of(0.0), a->end, out);
 }
 
 static void solve_cubic(const shape *s, const along *a, answer *out) { solve_polynomial(s, a, 3, out); }
@@ -123,7 +93,7 @@ static void collect_within(const along *a, const poly_real *line, double low, do
     from = real_compare(from, zero) < 0 ? zero : from;
     to = real_compare(to, a->end) > 0 ? a->end : to;
     if (real_compare(from, to) < 0)
-        collect(p, from, to, out);
+        kinds_collect(p, from, to, out);
 }
 
 /* Between two heights, where the square of the radius is a polynomial of the ray's distance. */
@@ -195,7 +165,7 @@ static void collect_cap(const along *a, double height, double radius, answer *ou
 
     if (real_sign(t) < 0 || real_compare(t, a->end) > 0)
         return;
-    out->open = out->open || fabs(off) < TOUCH;
+    out->open = out->open || fabs(off) < KIND_TOUCH;
     if (off < 0.0)
         out->at[out->count++] = real_double(t);
 }
@@ -325,7 +295,7 @@ static void solve_blob(const shape *s, const along *a, answer *out)
             square = poly_scale(&square, real_of(d[i].strength));
             sum = poly_add(&sum, &square);
         }
-        collect(&sum, ends[k], ends[k + 1], out);
+        kinds_collect(&sum, ends[k], ends[k + 1], out);
     }
 }
 
@@ -417,158 +387,19 @@ static void solve_ovus(const shape *s, const along *a, answer *out)
     collect_arc(a, K, h, real_sub(real_mul(KR, KR), real_mul(h, h)), real_double(low), real_double(high), out);
 }
 
-/* ---- rays ---- */
-
-static double distance(void) { return U() < 0.7 ? between(3.0, 6.0) : log_between(1.0, 6.0); }
-
-static pov_ray any_ray(void)
-{
-    const pov_vec3 d = families_direction(), to = pov_vec3_of(between(-1.0, 1.0), between(-1.5, 1.5), between(-1.0, 1.0));
-
-    return ray_from(pov_sub(to, pov_scale(d, distance())), d);
-}
-
-static int by_distance(const void *a, const void *b)
-{
-    const double *s = a, *t = b;
-
-    return (*s > *t) - (*s < *t);
-}
-
-static uint32_t ask(const shape_class *c, const void *self, const pov_ray *ray, double end, pov_crossing *at)
-{
-    static union { char bytes[1 << 16]; double aligned; } scratch;
-    pov_hits hits;
-
-    memset(&hits, 0, sizeof hits);
-    hits.tmax = end;
-    hits.want = POV_WANT_ALL;
-    hits.at = at;
-    hits.capacity = MOST;
-    hits.scratch = &scratch;
-    c->intersect(self, ray, &hits);
-    return hits.count;
-}
-
-/* Beside a crossing of another ray, along the surface there. */
-static pov_ray grazing_ray(const shape_class *c, const void *self)
-{
-    pov_ray ray = any_ray();
-    pov_crossing at[MOST];
-    pov_vec3 normal, p, d;
-
-    if (ask(c, self, &ray, 1e3, at) == 0)
-        return ray;
-    c->normal(self, &ray, &at[0], &normal);
-    p = pov_add(pov_add(ray.org, pov_scale(ray.dir, at[0].t)), pov_scale(normal, either(log_between(-9.0, -1.0))));
-    d = across(normal);
-    return ray_from(pov_sub(p, pov_scale(d, distance())), d);
-}
-
-/* ---- the verdict ---- */
-
-/* Pairs nearer than TOUCH are left out. */
-static int drop_pairs(double *at, int n)
-{
-    int kept = 0;
-
-    for (int i = 0; i < n; i++) {
-        if (kept > 0 && at[i] - at[kept - 1] < TOUCH)
-            kept--;
-        else
-            at[kept++] = at[i];
-    }
-    return kept;
-}
-
-static bool agree(const double *a, int n, const double *b, int m, double off)
-{
-    bool same = n == m;
-
-    for (int i = 0; same && i < n; i++)
-        same = fabs(a[i] - b[i]) <= off + PART * fabs(b[i]);
-    return same;
-}
-
-typedef struct score { long asked, open, wrong, crossings; double off; } score;
-
-static void judge(const kind_row *k, const shape_class *c, const shape *s, const void *self, const pov_ray *ray, score *out)
-{
-    const double end = 2.0 * sqrt(pov_dot(ray->org, ray->org)) + 10.0;
-    pov_crossing at[MOST];
-    const int n = (int)ask(c, self, ray, end, at);
-    double found[MOST];
-    answer there = { 0, { 0.0 }, false };
-    along a;
-
-    real_reset();
-    a.x = poly_line(real_of(ray->org.x), real_of(ray->dir.x));
-    a.y = poly_line(real_of(ray->org.y), real_of(ray->dir.y));
-    a.z = poly_line(real_of(ray->org.z), real_of(ray->dir.z));
-    a.end = real_of(end);
-    k->solve(s, &a, &there);
-    for (int i = 0; i < n; i++)
-        found[i] = at[i].t;
-    qsort(found, (size_t)n, sizeof *found, by_distance);
-    qsort(there.at, (size_t)there.count, sizeof *there.at, by_distance);
-    out->asked++;
-    out->crossings += there.count;
-    if (agree(found, n, there.at, there.count, OFF)) {
-        for (int i = 0; i < n; i++)
-            out->off = fmax(out->off, fabs(found[i] - there.at[i]) - PART * fabs(found[i]));
-        return;
-    }
-    if (there.open || agree(found, drop_pairs(found, n), there.at, drop_pairs(there.at, there.count), BENT)) {
-        out->open++;
-        return;
-    }
-    if (out->wrong++ == 0)
-        fprintf(stderr, "%s: ray <%a,%a,%a> <%a,%a,%a>: %d crossings, found %d\n", k->keyword, ray->org.x, ray->org.y, ray->org.z,
-                ray->dir.x, ray->dir.y, ray->dir.z, there.count, n);
-}
-
 static const kind_row kinds[] = {
     { "cubic", make_cubic, solve_cubic }, { "quartic", make_quartic, solve_quartic }, { "sor", make_sor, solve_sor },
     { "lathe", make_lathe, solve_lathe }, { "blob", make_blob, solve_blob },
     { "superellipsoid", make_superellipsoid, solve_superellipsoid }, { "ovus", make_ovus, solve_ovus },
 };
 
-static void keeps_its_crossings(const kind_row *k)
-{
-    const shape_class *c = fake_reader_shape(k->keyword);
-    score s = { 0, 0, 0, 0, 0.0 };
-
-    assert_non_null(c);
-    families_seed(11);
-    while (s.asked < rays) {
-        pov_reader *in = fake_reader_create();
-        shape one;
-        void *self;
-
-        k->make(&one, in);
-        self = fake_reader_parse(in, c);
-        if (!self)
-            fail_msg("%s: %s", k->keyword, fake_reader_message(in));
-        for (int i = 0; i < RAYS_A_SHAPE; i++) {
-            const pov_ray ray = U() < 0.5 ? any_ray() : grazing_ray(c, self);
-
-            judge(k, c, &one, self, &ray, &s);
-        }
-        fake_reader_destroy(in);
-    }
-    printf("%s: %ld rays, %ld crossings, %ld open, %ld misjudged, off by %.2g sizes\n", k->keyword, s.asked, s.crossings, s.open, s.wrong,
-           s.off);
-    assert_int_equal(s.wrong, 0);
-    assert_true(1000 * s.open <= s.asked);
-}
-
-static void a_cubic_has_its_crossings(void **state) { (void)state; keeps_its_crossings(&kinds[0]); }
-static void a_quartic_has_its_crossings(void **state) { (void)state; keeps_its_crossings(&kinds[1]); }
-static void a_sor_has_its_crossings(void **state) { (void)state; keeps_its_crossings(&kinds[2]); }
-static void a_straight_lathe_has_its_crossings(void **state) { (void)state; keeps_its_crossings(&kinds[3]); }
-static void a_blob_has_its_crossings(void **state) { (void)state; keeps_its_crossings(&kinds[4]); }
-static void a_superellipsoid_has_its_crossings(void **state) { (void)state; keeps_its_crossings(&kinds[5]); }
-static void an_ovus_has_its_crossings(void **state) { (void)state; keeps_its_crossings(&kinds[6]); }
+static void a_cubic_has_its_crossings(void **state) { (void)state; kinds_keep_crossings(&kinds[0], rays); }
+static void a_quartic_has_its_crossings(void **state) { (void)state; kinds_keep_crossings(&kinds[1], rays); }
+static void a_sor_has_its_crossings(void **state) { (void)state; kinds_keep_crossings(&kinds[2], rays); }
+static void a_straight_lathe_has_its_crossings(void **state) { (void)state; kinds_keep_crossings(&kinds[3], rays); }
+static void a_blob_has_its_crossings(void **state) { (void)state; kinds_keep_crossings(&kinds[4], rays); }
+static void a_superellipsoid_has_its_crossings(void **state) { (void)state; kinds_keep_crossings(&kinds[5], rays); }
+static void an_ovus_has_its_crossings(void **state) { (void)state; kinds_keep_crossings(&kinds[6], rays); }
 
 int main(int argc, char **argv)
 {

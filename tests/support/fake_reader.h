@@ -15,6 +15,8 @@ void fake_reader_word(pov_reader *in, const char *word);
 /* Numbers, words and punctuation as in a scene; anything else becomes a word that no parser expects. */
 void fake_reader_text(pov_reader *in, const char *text);
 
+/* What any file holds; it must live as long as the reader. */
+void fake_reader_file(pov_reader *in, const void *file, size_t bytes);
 /* What an image stands for, rows from the top; it must live as long as the reader. */
 void fake_reader_heights(pov_reader *in, const uint16_t *heights, uint32_t width, uint32_t height);
 
