@@ -59,7 +59,7 @@ MUTATIONS = [
 # In this order, but for who should notice first. The contract takes longest.
 TESTS = ['unit/test_query_guards', 'golden/test_golden', 'unit/test_shade_*', 'unit/test_query*', 'unit/test_world_*',
          'limits/test_*', 'plugins/test_contract']
-LIMIT = 120
+LIMIT = 900   # of a busy machine
 
 
 def arguments():
