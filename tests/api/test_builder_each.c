@@ -469,7 +469,7 @@ static void wrong_cameras_and_lights_are_refused(void **state)
 
 static pov_status build_all(pov_builder *b, const heights *h, const spheres *s)
 {
-    const pov_vec3 one = { 1.0, 2.0, 3.0 };
+    static const pov_vec3 one = { 1.0, 2.0, 3.0 };   /* read when the scene is */
     pov_mesh m = rich(h, true);
     pov_camera camera = POV_INIT(camera);
     pov_each each = POV_INIT(each);
