@@ -22,8 +22,11 @@ bench: all embree-bench
 bench-quick: BENCH_FLAGS += --quick
 bench-quick: bench
 
-bench-counts: all
-	$(PYTHON) tests/bench/counts.py --povc $(POVC) --compiler '$(CC)' --work $(BUILD)/bench $(BENCH_FLAGS)
+STILL = $(BUILD)/bench/still.so
+$(STILL): tests/bench/still.c
+	$(call say,CC,$@) $(CC) $(BASE_FLAGS) -fvisibility=default -shared $< -o $@ -lpthread
+bench-counts: all $(STILL)
+	$(PYTHON) tests/bench/counts.py --povc $(POVC) --still $(STILL) --compiler '$(CC)' --work $(BUILD)/bench $(BENCH_FLAGS)
 
 # Whole processes on the small scenes of the tests; 1 to N threads; the number of objects.
 bench-whole: all

@@ -2,7 +2,8 @@
 """Counts povc's instructions a ray under callgrind and holds them against the stored counts.
 
 Each scene is drawn in two sizes; the difference of the instructions by the difference of the rays leaves out the start,
-reading, building and the end. Unlike times the counts are the same on a busy machine, so 3 per cent can be asked for.
+reading, building and the end. With a clock that stands still (still.c) the counts are the same on a busy machine, so 3 per cent
+can be asked for; they depend on the compiler.
 """
 import argparse
 import re
@@ -28,6 +29,7 @@ def arguments():
     parser.add_argument('--povc', default='build/bin/povc')
     parser.add_argument('--work', default='build/bench')
     parser.add_argument('--stored', default=str(HERE / 'counts.txt'))
+    parser.add_argument('--still', help='the library with the clock that stands still')
     parser.add_argument('--compiler', default='cc', help='the one that built povc, for the note beside the counts')
     parser.add_argument('--store', action='store_true', help='write the counts down as those to hold to')
     parser.add_argument('scenes', nargs='*', default=SCENES)
@@ -43,21 +45,22 @@ def conditions(compiler):
     return f'{version[0] if version else compiler}, {wide}'
 
 
-def count(povc, scene, width, height):
+def count(povc, still, scene, width, height):
     """Instructions and rays of one run."""
     with tempfile.TemporaryDirectory() as folder:
         out = Path(folder) / 'callgrind.out'
-        run_of = programs.run(['valgrind', '--tool=callgrind', f'--callgrind-out-file={out}', povc, scene, width, height,
-                               '/dev/null', '--format', 'pfm', '--threads', 1, '--stats', '--progress', 'none'])
+        clock = ['env', f'LD_PRELOAD={Path(still).resolve()}'] if still else []
+        run_of = programs.run([*clock, 'valgrind', '--tool=callgrind', f'--callgrind-out-file={out}', povc, scene, width,
+                               height, '/dev/null', '--format', 'pfm', '--threads', 1, '--stats', '--progress', 'none'])
         total = re.search(r'^(?:totals|summary): (\d+)', out.read_text(), re.M)
     if not total:
         raise programs.ProgramError('callgrind wrote no total')
     return int(total[1]), programs.figures(run_of)['rays_total']
 
 
-def instructions_per_ray(povc, scene):
-    less, fewer = count(povc, scene, *SMALL)
-    more, rays = count(povc, scene, *LARGE)
+def instructions_per_ray(povc, still, scene):
+    less, fewer = count(povc, still, scene, *SMALL)
+    more, rays = count(povc, still, scene, *LARGE)
     return (more - less) / (rays - fewer)
 
 
@@ -94,7 +97,7 @@ def main():
     counts, over = {}, []
     for name in options.scenes:
         scene, _ = make_scenes.make(name, Path(options.work) / 'scenes', *LARGE)
-        counts[name] = instructions_per_ray(options.povc, scene)
+        counts[name] = instructions_per_ray(options.povc, options.still, scene)
         said, held = verdict(counts[name], stored.get(name))
         print(f'{name:<14}{counts[name]:20.1f}{stored.get(name, 0.0):10.1f}  {said}', flush=True)
         over += [] if held else [name]
