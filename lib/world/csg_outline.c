@@ -183,8 +183,8 @@ static bool ask_columns(const csg_tree *t, csg_outline *of, pov_outline *all)
     return true;
 }
 
-/* So many sets of columns have their value in a table. */
-enum { TABLE_COLUMNS = 8 };
+/* The sets of so many columns have their values in a table: more would take long to fill where there are many trees. */
+enum { TABLE_COLUMNS = 6 };
 
 static size_t table_size(const csg_tree *t, const csg_outline *of)
 {
