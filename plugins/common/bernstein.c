@@ -57,6 +57,15 @@ double common_bernstein_noise(const double *b, int degree)
     }
 }
 
+/* From both ends, each up to where its own steps lose nothing. */
+void common_bernstein_divide(const double *b, int degree, double at, double *q)
+{
+    for (int k = 0; k < degree * at && k < degree; k++)
+        q[k] = ((k > 0 ? k * (1.0 - at) * q[k - 1] : 0.0) - degree * b[k]) / ((degree - k) * at);
+    for (int k = degree; k >= degree * at + 1.0 && k > 0; k--)
+        q[k - 1] = ((k < degree ? (degree - k) * at * q[k] : 0.0) + degree * b[k]) / (k * (1.0 - at));
+}
+
 /* The sign changes of the coefficients, where those within the noise change nothing. */
 COMMON_INLINE int count_changes(const double *b, int degree, double noise)
 {

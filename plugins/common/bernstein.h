@@ -16,6 +16,8 @@ enum { COMMON_BERNSTEIN_MAX = 36 };
 void common_bernstein(const double *a, int degree, double *b);
 /* What rounding alone makes of such coefficients. */
 double common_bernstein_noise(const double *b, int degree);
+/* b(u) = (u - at) q(u) for a known root: q, of a degree less. */
+void common_bernstein_divide(const double *b, int degree, double at, double *q);
 /* Roots in growing order, at most `degree` of them. Returns how many. */
 uint32_t common_bernstein_roots(const double *b, int degree, double noise, double *root);
 /* The same up to the first root beyond a place; others may follow it. It need not be known if it is certainly before `within`. */

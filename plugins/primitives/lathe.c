@@ -248,15 +248,6 @@ static void refine(const line *n, const part *p, double most, common_cross *at)
     }
 }
 
-/* b(u) = (u - at) q(u) for a known root: q from both ends, each up to where its own steps lose nothing. */
-static void divide_out(const double *b, int order, double at, double *q)
-{
-    for (int k = 0; k < order * at && k < order; k++)
-        q[k] = ((k > 0 ? k * (1.0 - at) * q[k - 1] : 0.0) - order * b[k]) / ((order - k) * at);
-    for (int k = order; k >= order * at + 1.0 && k > 0; k--)
-        q[k - 1] = ((k < order ? (order - k) * at * q[k] : 0.0) + order * b[k]) / (k * (1.0 - at));
-}
-
 /* `start`: NULL, or where on the piece the ray starts, which is left out. */
 static void cross_risen(const line *n, const part *p, uint32_t piece, const double *start, common_cross *out, uint32_t *count)
 {
@@ -275,7 +266,7 @@ static void cross_risen(const line *n, const part *p, uint32_t piece, const doub
     if (above || below)
         return;
     if (start)
-        divide_out(b, p->order, *start, q);
+        common_bernstein_divide(b, p->order, *start, q);
     found = start ? common_bernstein_roots(q, p->order - 1, p->order * noise, root) : common_bernstein_roots(b, p->order, noise, root);
     for (uint32_t i = 0; i < found; i++) {
         common_cross at = { 0.0, root[i], piece };

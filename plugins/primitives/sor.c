@@ -223,10 +223,11 @@ static bool passes(const line *n, const piece *p, const stretch *s)
     return (n->a * t + 2.0 * n->b) * t + n->c > p->widest * (1.0 + 0x1p-30) + 0x1p-40;
 }
 
-static uint32_t cross_piece(const line *n, const piece *p, double *root)
+/* `is_own`: the ray starts on the piece. That root is divided out. */
+static uint32_t cross_piece(const line *n, const piece *p, bool is_own, double *root)
 {
+    double c[4], h[4], noise, enough, within;
     pov_vec3 a, b;
-    double c[4], h[4];
     stretch s;
     uint32_t found;
 
@@ -241,8 +242,15 @@ static uint32_t cross_piece(const line *n, const piece *p, double *root)
     c[3] = across(b, b) - h[3];
     if (c[0] > 0.0 && c[1] > 0.0 && c[2] > 0.0 && c[3] > 0.0)
         return 0;
-    found = common_bernstein_first(c, 3, common_bernstein_noise(c, 3), (n->wanted.enough - s.lo) / (s.hi - s.lo),
-                                   (n->wanted.within - s.lo) / (s.hi - s.lo), root);
+    noise = common_bernstein_noise(c, 3);
+    enough = (n->wanted.enough - s.lo) / (s.hi - s.lo);
+    within = (n->wanted.within - s.lo) / (s.hi - s.lo);
+    if (is_own && s.lo <= 0.0 && s.hi >= 0.0) {
+        common_bernstein_divide(c, 3, -s.lo / (s.hi - s.lo), h);
+        found = common_bernstein_first(h, 2, 3.0 * noise, enough, within, root);
+    } else {
+        found = common_bernstein_first(c, 3, noise, enough, within, root);
+    }
     for (uint32_t i = 0; i < found; i++)
         root[i] = s.lo + root[i] * (s.hi - s.lo);
     return found;
@@ -268,18 +276,10 @@ static bool report_cap(const line *n, const sor *s, bool is_high, pov_hits *hits
     return report(n, pov_two_div(pov_two_sub(is_high ? s->high : s->low, n->k->f.y), dir.y), feature, hits);
 }
 
-/* The root of the piece that a ray starts on, or `found`. */
-static uint32_t find_start(const line *n, uint32_t piece_at, const double *root, uint32_t found)
+/* Does the ray start there, beside the end of another piece, or on its own? */
+static bool is_start(const line *n, uint32_t piece_at, double root)
 {
-    double least = n->origin == piece_at ? NEAR : 0x1p-44;
-    uint32_t best = found;
-
-    for (uint32_t i = 0; n->origin < LOW_CAP && i < found; i++)
-        if (fabs(root[i]) < least) {
-            least = fabs(root[i]);
-            best = i;
-        }
-    return best;
+    return n->origin < LOW_CAP && fabs(root) < (n->origin == piece_at ? NEAR : 0x1p-44);
 }
 
 static void cross(const void *self, const pov_ray *ray, const common_entry *e, pov_hits *hits)
@@ -291,11 +291,10 @@ static void cross(const void *self, const pov_ray *ray, const common_entry *e, p
     for (uint32_t part = 0; part < s->count; part++) {
         const uint32_t i = n.d.y < 0.0 ? s->count - 1 - part : part;   /* nearer ones first */
         double root[3];
-        const uint32_t found = cross_piece(&n, &s->at[i], root);
-        const uint32_t start = find_start(&n, i, root, found);
+        const uint32_t found = cross_piece(&n, &s->at[i], i == n.origin, root);
 
         for (uint32_t j = 0; j < found; j++)
-            if (j != start && !report(&n, pov_two_sum(n.base, root[j]), i, hits))
+            if (!is_start(&n, i, root[j]) && !report(&n, pov_two_sum(n.base, root[j]), i, hits))
                 return;
         if (found > 0)
             n.wanted.far = common_wants(n.k, n.base, 0.0, hits).far;
