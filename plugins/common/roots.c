@@ -120,20 +120,17 @@ COMMON_INLINE bool divide_piece(piece *p, int degree)
     const double error = p->error + 0x1p-53 * (degree + 1) * largest_of(p->b, degree);
 
     for (int i = 0; p->depth < DEPTH && i < CUTS; i++) {
-        const double middle = p->lo + (p->hi - p->lo) * cuts[i];
-        const piece before = *p;
-
-        divide(before.b, degree, cuts[i], left, right);
+        divide(p->b, degree, cuts[i], left, right);
         if (!(fabs(left[degree]) > 2.0 * error))
             continue;
         for (int k = 0; k <= degree; k++) {
             p[1].b[k] = left[k];
             p[0].b[k] = right[k];
         }
-        p[1].lo = before.lo;
-        p[1].hi = p[0].lo = middle;
+        p[1].lo = p[0].lo;
+        p[1].hi = p[0].lo = p[0].lo + (p[0].hi - p[0].lo) * cuts[i];
         p[0].error = p[1].error = error;
-        p[0].depth = p[1].depth = before.depth + 1;
+        p[1].depth = ++p[0].depth;
         return true;
     }
     return false;
