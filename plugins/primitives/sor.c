@@ -192,23 +192,29 @@ static void restrict_to(const double *b, double from, double to, double *out)
 /* A stretch of the ray within a piece's slab and the box. */
 typedef struct stretch { double lo, hi, from, to; } stretch;
 
+/* False: there is none, or it begins too far away. */
 static bool find_stretch(const line *n, const piece *p, stretch *out)
 {
-    const double a = (p->low - n->o.y) / n->d.y, b = (p->high - n->o.y) / n->d.y, least = a < b ? a : b, most = a < b ? b : a;
+    const bool rises = n->d.y > 0.0, level = n->d.y == 0.0;
+    const double least = ((rises ? p->low : p->high) - n->o.y) / n->d.y;
+    double most;
 
     out->lo = n->span.lo;
     out->hi = n->span.hi;
-    if (n->d.y == 0.0 ? !(n->o.y >= p->low && n->o.y < p->high) : !(least < out->hi && most > out->lo))
+    if (level ? !(n->o.y >= p->low && n->o.y < p->high) : !(least < out->hi) || least > n->wanted.far)
         return false;
-    if (n->d.y != 0.0 && least > out->lo) {
+    most = ((rises ? p->high : p->low) - n->o.y) / n->d.y;
+    if (!level && !(most > out->lo))
+        return false;
+    if (!level && least > out->lo) {
         out->lo = least;
-        out->from = a < b ? 0.0 : 1.0;
+        out->from = rises ? 0.0 : 1.0;
     } else {
         out->from = (n->o.y + out->lo * n->d.y - p->low) / (p->high - p->low);
     }
-    if (n->d.y != 0.0 && most < out->hi) {
+    if (!level && most < out->hi) {
         out->hi = most;
-        out->to = a < b ? 1.0 : 0.0;
+        out->to = rises ? 1.0 : 0.0;
     } else {
         out->to = (n->o.y + out->hi * n->d.y - p->low) / (p->high - p->low);
     }
