@@ -105,8 +105,13 @@ COMMON_INLINE void halve(part *p, int degree)
 /* Brackets of roots from left to right, up to the first that is certainly beyond a place. */
 COMMON_INLINE void isolate_of(const double *b, int degree, double noise, double beyond, brackets *out)
 {
+    const int all = count_changes(b, degree, noise);
     part stack[DEPTH + 1], *top = stack;
 
+    if (all == 1)
+        put(out, b, degree, 0.0, 1.0);
+    if (all <= 1)
+        return;
     for (int i = 0; i <= degree; i++)
         top->b[i] = b[i];
     top->lo = 0.0;
