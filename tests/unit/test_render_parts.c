@@ -216,7 +216,6 @@ static void a_forged_part_is_refused_or_joined(void **state)
 {
     const pov_render_desc d = describe(2, 0.0, POV_SAMPLING_UNIFORM);
     size_t count, refused = 0, joined = 0;
-    pov_job *job;
     uint64_t hash;
     char *bytes;
     fixture f;
@@ -227,15 +226,19 @@ static void a_forged_part_is_refused_or_joined(void **state)
     trace(&f, d, 2, false, false);
     assert_int_equal(file_read(&f.env, f.files[0], &bytes, &count, NULL), POV_OK);
     for (size_t i = 0; i < count - sizeof hash; i += i < 1024 ? 3 : 4093) {
+        pov_job *job;
+
         bytes[i] = (char)(bytes[i] ^ 0x40);
         hash = hash_bytes(0, bytes, count - sizeof hash);
         memcpy(bytes + count - sizeof hash, &hash, sizeof hash);
         write_file(f.files[0], bytes, count);
-        *(job_join(&job, &f.env, f.paths, 2, NULL) == POV_OK ? &joined : &refused) += 1;
-        if (refused + joined > 0 && job)
-            job_destroy(job);
-        job = NULL;
         bytes[i] = (char)(bytes[i] ^ 0x40);
+        if (job_join(&job, &f.env, f.paths, 2, NULL) != POV_OK) {
+            refused++;
+            continue;
+        }
+        joined++;
+        job_destroy(job);
     }
     assert_true(refused > 0 && joined > 0);
     env_free(&f.env, bytes);
