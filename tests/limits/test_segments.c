@@ -150,6 +150,53 @@ static void n2_segments_that_end_at_a_face_are_judged_by_their_ends(void **state
         expect_judged(*state, faces[s], false, s != 3 && s != 4);
 }
 
+/* Flat shapes in the plane 2 x + 3 y + 6 z = 0, about the points u <3,-2,0> + v <0,-2,1> of whole u and v up to 9. */
+static const char *const tilted[] = {
+    "plane { <2,3,6>, 0 }",
+    "disc { <0,0,0>, <2,3,6>, 90 }",
+    "triangle { <-90,60,0>, <90,60,-60>, <0,-120,60> }",
+    "polygon { 5, <-90,60,0>, <90,60,-60>, <90,-60,0>, <-90,-60,60>, <-90,60,0> }",
+    "smooth_triangle { <-90,60,0>, <2,3,6>, <90,60,-60>, <2,3,6>, <0,-120,60>, <2,3,6> }",
+    "mesh { triangle { <-90,60,0>, <90,60,-60>, <0,-120,60> } }",
+    "box { <-90,-90,-90>, <90,0,90> matrix <3,-2,0, 2,3,6, 0,-2,1, 0,0,0> }",
+};
+
+/* Seen from the front at any angle down to a cosine of 1e-4, what a segment ends on is not in its way. */
+static long misjudged_tilted(pov_tracer *tracer)
+{
+    const pov_vec3 normal = { 2.0 / 7.0, 3.0 / 7.0, 6.0 / 7.0 };
+    uint64_t seed = 362436069u;
+    long wrong = 0;
+
+    for (double distance = 10.0; distance < 1e13; distance *= 10.0)
+        for (int i = 0; i < 300; i++) {
+            const double u = floor(9.0 * number(&seed)), v = floor(9.0 * number(&seed)), cosine = pow(10.0, -4.0 * fabs(number(&seed)));
+            const pov_vec3 at = pov_vec3_of(3.0 * u, -2.0 * (u + v), v), d = direction(&seed);
+            const pov_vec3 along = pov_unit(pov_add(pov_sub(d, pov_scale(normal, pov_dot(d, normal))), pov_scale(normal, cosine)));
+
+            wrong += pov_trace_blocked(tracer, pov_add(at, pov_scale(along, distance)), at);
+        }
+    return wrong;
+}
+
+static void n2_segments_that_graze_the_face_that_they_end_on_are_free(void **state)
+{
+    for (size_t s = 0; s < sizeof tilted / sizeof *tilted; s++) {
+        pov_scene *scene = scenes_text(*state, tilted[s]);
+        pov_tracer *tracer;
+        pov_error err;
+        long wrong;
+
+        assert_int_equal(pov_tracer_create(&tracer, scene, &err), POV_OK);
+        wrong = misjudged_tilted(tracer);
+        if (wrong)
+            print_error("%s: %ld\n", tilted[s], wrong);
+        assert_int_equal(wrong, 0);
+        pov_tracer_destroy(tracer);
+        pov_scene_destroy(scene);
+    }
+}
+
 /* ---- lights that lie on surfaces ---- */
 
 /* A light that lies on a shape at <0, 1, 0> or at a unit in the last place from there, and what of it reaches a wall below
@@ -249,6 +296,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test_setup_teardown(n2_segments_that_end_at_a_sphere_are_judged_by_their_ends, begin, end),
         cmocka_unit_test_setup_teardown(n2_segments_that_end_at_a_face_are_judged_by_their_ends, begin, end),
+        cmocka_unit_test_setup_teardown(n2_segments_that_graze_the_face_that_they_end_on_are_free, begin, end),
         cmocka_unit_test_setup_teardown(n3_a_light_on_a_surface_gives_a_clean_shadow, begin, end),
         cmocka_unit_test_setup_teardown(only_light_that_crosses_what_it_is_projected_through_counts, begin, end),
     };
