@@ -240,6 +240,37 @@ COMMON_INLINE void widen(interval *v, const double *pass, const double *field, i
     }
 }
 
+/* How the entry grows with u, times a number above zero; `side` -1. Or how the exit does; 1. */
+static double growth_of(const double *pass, const double *field, int degree, double u, double side)
+{
+    double pass_slope = degree * pass[degree], slope = 2 * degree * field[2 * degree];
+
+    for (int k = degree - 1; k > 0; k--)
+        pass_slope = pass_slope * u + k * pass[k];
+    for (int k = 2 * degree - 1; k > 0; k--)
+        slope = slope * u + k * field[k];
+    return 2.0 * root_of(value_of(field, 2 * degree, u)) * pass_slope + side * slope;
+}
+
+/* Of a stretch without an extreme: the polynomial for these hides two in its noise where the ray hardly comes within the spheres. Its
+ * ends tell whether there is a least entry, or a greatest exit, in between. */
+static void seek_extreme(interval *v, const double *pass, const double *field, int degree, double from, double to, double side)
+{
+    enum { HALVINGS = 40 };
+
+    if (!(side * growth_of(pass, field, degree, from, side) > 0.0 && side * growth_of(pass, field, degree, to, side) < 0.0))
+        return;
+    for (int i = 0; i < HALVINGS; i++) {
+        const double middle = 0.5 * (from + to);
+
+        if (side * growth_of(pass, field, degree, middle, side) > 0.0)
+            from = middle;
+        else
+            to = middle;
+    }
+    widen(v, pass, field, degree, from);
+}
+
 COMMON_INLINE uint32_t intervals_of(const line *n, const sweep *s, int degree, uint32_t number, interval *out)
 {
     const piece *p = &s->at[number];
@@ -255,14 +286,19 @@ COMMON_INLINE uint32_t intervals_of(const line *n, const sweep *s, int degree, u
     extremes = find_extremes(pass, field, degree, extreme);
     for (uint32_t i = 0; i < ends; i++) {
         interval v = { HUGE_VAL, -HUGE_VAL, 0.0, 0.0, number, number };
+        bool turns = false;
 
         if (!(value_of(field, 2 * degree, 0.5 * (end[i] + end[i + 1])) >= 0.0))
             continue;
         widen(&v, pass, field, degree, end[i]);
         widen(&v, pass, field, degree, end[i + 1]);
         for (uint32_t j = 0; j < extremes; j++)
-            if (extreme[j] > end[i] && extreme[j] < end[i + 1])
+            if (extreme[j] > end[i] && extreme[j] < end[i + 1]) {
                 widen(&v, pass, field, degree, extreme[j]);
+                turns = true;
+            }
+        for (int side = -1; !turns && side <= 1; side += 2)
+            seek_extreme(&v, pass, field, degree, end[i], end[i + 1], side);
         out[count++] = v;
     }
     return count;
