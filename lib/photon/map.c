@@ -262,9 +262,18 @@ void photon_map_free(photon_map *m, const env *e)
 
 /* ---- queries ---- */
 
-static inline bool holds(const pov_box *b, pov_vec3 p)
+double photon_view_spacing(const photon_view *v, pov_vec3 at)
 {
-    return (p.x >= b->lo.x) & (p.x <= b->hi.x) & (p.y >= b->lo.y) & (p.y <= b->hi.y) & (p.z >= b->lo.z) & (p.z <= b->hi.z);
+    const pov_vec3 d = pov_sub(at, v->from);
+
+    return v->width + v->slope * sqrt(pov_dot(d, d));
+}
+
+/* Does the box, wider by `more` on all sides, hold the point? */
+static inline bool holds(const pov_box *b, pov_vec3 p, double more)
+{
+    return (p.x >= b->lo.x - more) & (p.x <= b->hi.x + more) & (p.y >= b->lo.y - more) & (p.y <= b->hi.y + more) &
+           (p.z >= b->lo.z - more) & (p.z <= b->hi.z + more);
 }
 
 /* Photons on a surface that is turned further away, or lies further above or below it, belong to another one. */
@@ -272,9 +281,10 @@ static const double least_alike = 0.5, most_above = 0.5;
 static const double three_by_pi = 0.95492965855137201461;
 
 /* By lane: what a photon counts for at a point, if it counts there. Returns bit i for lane i that does. */
-SIMD_CLONES static uint32_t try_photons(const photon_block *restrict b, pov_vec3 at, pov_vec3 normal, double *restrict density)
+SIMD_CLONES static uint32_t try_photons(const photon_block *restrict b, pov_vec3 at, pov_vec3 normal, double least,
+                                        double *restrict density)
 {
-    const double square = b->radius * b->radius, most = three_by_pi / square, height = most_above * b->radius;
+    const double radius = greater(b->radius, least), square = radius * radius, most = three_by_pi / square, height = most_above * radius;
     uint32_t held = 0;
 
     for (int i = 0; i < PHOTON_LANES; i++) {
@@ -289,18 +299,18 @@ SIMD_CLONES static uint32_t try_photons(const photon_block *restrict b, pov_vec3
     return held;
 }
 
-void photon_map_find(const photon_map *m, pov_vec3 at, pov_vec3 normal, photon_visit *visit, void *user)
+void photon_map_find(const photon_map *m, pov_vec3 at, pov_vec3 normal, double least, photon_visit *visit, void *user)
 {
     double density[PHOTON_LANES];
 
     for (uint32_t i = 0, held; i < m->node_count;) {
         const photon_node *n = &m->nodes[i];
 
-        if (!holds(&n->box, at)) {
+        if (!holds(&n->box, at, least)) {
             i = n->skip;
             continue;
         }
-        for (held = n->count > 0 ? try_photons(block_of(m, n), at, normal, density) : 0; held; held &= held - 1)
+        for (held = n->count > 0 ? try_photons(block_of(m, n), at, normal, least, density) : 0; held; held &= held - 1)
             visit(user, &m->photons[n->first + first_of(held)], (float)density[first_of(held)]);
         i++;
     }
@@ -308,12 +318,12 @@ void photon_map_find(const photon_map *m, pov_vec3 at, pov_vec3 normal, photon_v
 
 /* ---- rays ---- */
 
-/* Do the box and the ray's first `length` meet? */
-static bool meets(const pov_box *b, pov_vec3 from, pov_vec3 per, double length)
+/* Do the box, wider by `more` on all sides, and the ray's first `length` meet? */
+static bool meets(const pov_box *b, pov_vec3 from, pov_vec3 per, double length, double more)
 {
-    const double x0 = (b->lo.x - from.x) * per.x, x1 = (b->hi.x - from.x) * per.x;
-    const double y0 = (b->lo.y - from.y) * per.y, y1 = (b->hi.y - from.y) * per.y;
-    const double z0 = (b->lo.z - from.z) * per.z, z1 = (b->hi.z - from.z) * per.z;
+    const double x0 = (b->lo.x - more - from.x) * per.x, x1 = (b->hi.x + more - from.x) * per.x;
+    const double y0 = (b->lo.y - more - from.y) * per.y, y1 = (b->hi.y + more - from.y) * per.y;
+    const double z0 = (b->lo.z - more - from.z) * per.z, z1 = (b->hi.z + more - from.z) * per.z;
     const double enters = greater(greater(lesser(x0, x1), lesser(y0, y1)), greater(lesser(z0, z1), 0.0));
 
     return enters <= lesser(lesser(greater(x0, x1), greater(y0, y1)), lesser(greater(z0, z1), length));
@@ -323,38 +333,49 @@ static bool meets(const pov_box *b, pov_vec3 from, pov_vec3 per, double length)
 static double inverse(double d) { return 1.0 / (fabs(d) > 0x1p-60 ? d : copysign(0x1p-60, d)); }
 
 /* The same of those that the ray passes, and where it does. */
-SIMD_CLONES static uint32_t pass_photons(const photon_block *restrict b, pov_vec3 from, pov_vec3 dir, double length,
-                                         double *restrict where, double *restrict density)
+SIMD_CLONES static uint32_t pass_photons(const photon_block *restrict b, const photon_ray *restrict ray, double *restrict where,
+                                         double *restrict density)
 {
-    const double square = b->radius * b->radius, most = three_by_pi / square;
+    const pov_vec3 from = ray->from, dir = ray->dir;
+    const double length = ray->length, least = ray->least, slope = ray->slope, own = b->radius;
     uint32_t held = 0;
 
     for (int i = 0; i < PHOTON_LANES; i++) {
         const double x = b->at[0][i] - from.x, y = b->at[1][i] - from.y, z = b->at[2][i] - from.z;
         const double at = x * dir.x + y * dir.y + z * dir.z, u = x - dir.x * at, v = y - dir.y * at, w = z - dir.z * at;
+        const double wide = least + slope * at, radius = wide > own ? wide : own, square = radius * radius;
         const double near = 1.0 - (u * u + v * v + w * w) / square;
 
         where[i] = at;
-        density[i] = (near > 0.0) & (at >= 0.0) & (at <= length) ? most * near * near : 0.0;
+        density[i] = (near > 0.0) & (at >= 0.0) & (at <= length) ? three_by_pi / square * near * near : 0.0;
     }
     for (int i = 0; i < PHOTON_LANES; i++)
         held |= (uint32_t)(density[i] > 0.0) << i;
     return held;
 }
 
-void photon_map_follow(const photon_map *m, pov_vec3 from, pov_vec3 dir, double length, photon_pass *pass, void *user)
+/* No disc of the node that the ray passes is wider than this where its own is smaller. */
+static double widest(const photon_node *n, const photon_ray *ray)
 {
-    const pov_vec3 per = pov_vec3_of(inverse(dir.x), inverse(dir.y), inverse(dir.z));
+    const pov_vec3 middle = pov_scale(pov_add(n->box.lo, n->box.hi), 0.5), half = pov_scale(pov_sub(n->box.hi, n->box.lo), 0.5);
+    const double reach = fabs(ray->dir.x) * half.x + fabs(ray->dir.y) * half.y + fabs(ray->dir.z) * half.z;
+
+    return ray->least + ray->slope * lesser(ray->length, greater(pov_dot(pov_sub(middle, ray->from), ray->dir) + reach, 0.0));
+}
+
+void photon_map_follow(const photon_map *m, const photon_ray *ray, photon_pass *pass, void *user)
+{
+    const pov_vec3 per = pov_vec3_of(inverse(ray->dir.x), inverse(ray->dir.y), inverse(ray->dir.z));
     double where[PHOTON_LANES], density[PHOTON_LANES];
 
     for (uint32_t i = 0, held; i < m->node_count;) {
         const photon_node *n = &m->nodes[i];
 
-        if (!meets(&n->box, from, per, length)) {
+        if (!meets(&n->box, ray->from, per, ray->length, widest(n, ray))) {
             i = n->skip;
             continue;
         }
-        for (held = n->count > 0 ? pass_photons(block_of(m, n), from, dir, length, where, density) : 0; held; held &= held - 1) {
+        for (held = n->count > 0 ? pass_photons(block_of(m, n), ray, where, density) : 0; held; held &= held - 1) {
             const uint32_t k = first_of(held);
 
             pass(user, &m->photons[n->first + k], where[k], (float)density[k]);

@@ -44,14 +44,21 @@ typedef struct photon_map {
  * no memory, and the photons are freed. */
 bool photon_map_make(photon_map *out, const env *e, photon *photons, uint32_t count, uint32_t nearest);
 void photon_map_free(photon_map *m, const env *e);
+/* How far apart the samples of a pixel are, where what they see is seen straight: `width` at `from`, and by `slope` more for
+ * each unit of distance. A smaller disc would be met by chance, with much light, or not at all: no number of samples that
+ * miss it tells of it. */
+typedef struct photon_view { pov_vec3 from; double width, slope; } photon_view;
+double photon_view_spacing(const photon_view *v, pov_vec3 at);
 /* Call visit for each photon whose disc holds a point of a surface with this normal on either side, with the light that
- * it brings there per area: its flux times `density`. The order is that of the map. */
+ * it brings there per area: its flux times `density`. Smaller discs count as of the radius `least`. The order is that of
+ * the map. */
 typedef void photon_visit(void *user, const photon *p, float density);
-void photon_map_find(const photon_map *m, pov_vec3 at, pov_vec3 normal, photon_visit *visit, void *user);
+void photon_map_find(const photon_map *m, pov_vec3 at, pov_vec3 normal, double least, photon_visit *visit, void *user);
 /* The same of photons in media for those that a ray passes within their radius, on its first `length`: direction unit.
  * Theirs is light times the length of way that they stand for, and comes per area across the ray. `at`: how far along the
- * ray the photon is. */
+ * ray the photon is. The least radius is `least` at the start, and grows by `slope` along the ray. */
+typedef struct photon_ray { pov_vec3 from, dir; double length, least, slope; } photon_ray;
 typedef void photon_pass(void *user, const photon *p, double at, float density);
-void photon_map_follow(const photon_map *m, pov_vec3 from, pov_vec3 dir, double length, photon_pass *pass, void *user);
+void photon_map_follow(const photon_map *m, const photon_ray *ray, photon_pass *pass, void *user);
 
 #endif

@@ -46,6 +46,26 @@ sample raygen_spread(const pov_camera *camera, uint32_t seed, int x, int y, uint
     return camera->type == POV_CAMERA_MESH ? number : sample_on_lens(seed, x, y, (int)(k & 1u), k / 2);
 }
 
+static double length_of(pov_vec3 v) { return sqrt(pov_dot(v, v)); }
+
+void raygen_apart(const pov_camera *camera, int width, int height, double *start, double *slope)
+{
+    const raygen_screen through = { .u = { 0.0, 1.0 / width, 0.0 }, .v = { 0.0, 0.0, 1.0 / height } };
+    double starts[2], slopes[2];
+    pov_ray rays[3];
+
+    raygen_begin(camera, rays, 3);
+    raygen_aim(camera, &through, 3, rays);
+    for (int i = 0; i < 2; i++) {
+        starts[i] = length_of(pov_sub(rays[i + 1].org, rays[0].org));
+        slopes[i] = length_of(pov_sub(pov_unit(rays[i + 1].dir), pov_unit(rays[0].dir)));
+    }
+    *start = fmin(starts[0], starts[1]);
+    *slope = fmin(slopes[0], slopes[1]);
+    if (camera->type == POV_CAMERA_MESH || !isfinite(*start + *slope))
+        *start = *slope = 0.0;
+}
+
 unsigned raygen_aim(const pov_camera *camera, const raygen_screen *through, uint32_t n, pov_ray *rays)
 {
     if (!raygen_has_lens(camera))

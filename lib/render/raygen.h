@@ -36,6 +36,10 @@ static inline double raygen_u(int x, double dx, int width) { return (((double)x 
 static inline double raygen_v(int y, double dy, int height) { return -raygen_u(y, dy, height); }
 void raygen_place(const raygen_places *p, int width, int height, uint32_t n, raygen_screen *out);
 
+/* How far apart rays of neighbouring pixels start in the middle of the picture, and how much farther apart they are for each
+ * unit of their length: the lesser of beside and below each other. 0: nothing is known. */
+void raygen_apart(const pov_camera *camera, int width, int height, double *start, double *slope);
+
 /* Rays that start at the camera, without directions. */
 void raygen_begin(const pov_camera *camera, pov_ray *rays, uint32_t n);
 /* Set the starts and directions of such rays, as the camera's type has them; n <= RAYGEN_MANY. Returns their known properties, as tracer_colors()

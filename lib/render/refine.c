@@ -177,6 +177,7 @@ bool refine_more(worker *w, const settings *s, const cells *c, const encoding *e
     refinement *r = w->refinement;
     packet together;
 
+    worker_set_pixel(w, s);
     meter_begin(w->meter);
     together.count = 0;
     raygen_begin(&w->claim.camera, together.rays, BATCH_MAX);

@@ -162,6 +162,16 @@ static void trace_block(worker *w, packet *together, const settings *s, const mi
         trace_packet(w, s, together);
 }
 
+void worker_set_pixel(worker *w, const settings *s)
+{
+    double start, slope;
+
+    if (!w->job->scene->plan->photons)
+        return;
+    raygen_apart(&w->claim.camera, s->width, s->height, &start, &slope);
+    tracer_set_pixel(w->tracer, start, slope);
+}
+
 bool worker_trace(worker *w, const settings *s)
 {
     enum { BLOCK_EDGE = 8 };     /* squared, no more than BATCH_MAX */
@@ -170,6 +180,7 @@ bool worker_trace(worker *w, const settings *s)
     packet together;
     middles m;
 
+    worker_set_pixel(w, s);
     raygen_begin(&c->camera, together.rays, BATCH_MAX);
     find_middles(&m, s, c->rect);
     if (w->job->scene->plan->radiosity && edge > TILE_EDGE_MIN)

@@ -39,6 +39,8 @@ bool worker_make(worker *w, pov_job *job, const env *e, int tile_edge);
 void worker_free(worker *w, const env *e);
 /* Make the tracer if there is no working one; `ask` is called while tracing: is the claim still valid? */
 pov_status worker_prepare(worker *w, const shading *scene, bool (*ask)(void *worker), pov_error *err);
+/* Tell the tracer how far pixels of the claim's camera are apart. */
+void worker_set_pixel(worker *w, const settings *s);
 /* Trace one sample of each pixel of the claimed lattice. False: given up. tracer->failed tells that memory ended. */
 bool worker_trace(worker *w, const settings *s);
 bool worker_is_given_up(const worker *w);

@@ -11,6 +11,7 @@
 #include <povtrace/render.h>
 
 struct photon_maps;
+struct photon_view;
 
 typedef struct coincident_stack { coincident_set *items; size_t count, capacity; } coincident_stack;
 
@@ -26,6 +27,7 @@ typedef struct shade_context {
     const bool *blocks;          /* by target of photons: it blocks straight light of the present light source; NULL: none
                                   * does */
     const struct photon_maps *const *photons;   /* by lane of the camera ray; NULL: there are none */
+    const struct photon_view *views;   /* the same: see photon/map.h */
     bool photons_fly;            /* photons are traced, and not camera rays */
     bool failed;                 /* out of memory, or exhausted: later results are invalid */
     bool exhausted;              /* more rays followed from one camera ray than may */

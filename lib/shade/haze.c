@@ -211,14 +211,16 @@ static void add_photon(void *user, const photon *p, double at, float density)
         empty(g);
 }
 
-static colour gather_photons(const photon_map *map, const media_march *march)
+static colour gather_photons(const photon_map *map, const photon_view *view, const media_march *march)
 {
+    const media_segment *on = &march->on;
+    const photon_ray ray = { on->from, on->dir, on->length, photon_view_spacing(view, on->from), view->slope };
     lit_photons g;
 
     g.march = march;
     g.some.count = 0;
     g.sum = colour_of(0.0f, 0.0f, 0.0f);
-    photon_map_follow(map, march->on.from, march->on.dir, march->on.length, add_photon, &g);
+    photon_map_follow(map, &ray, add_photon, &g);
     if (g.some.count > 0)
         empty(&g);
     return g.sum;
@@ -253,7 +255,7 @@ static void veil(shade_context *c, const path *p, const media_set *set, const me
     if (set->scatters && c->scene->plan->scattering)
         march.given = colour_add(march.given, gather(c, p, &march));
     if (set->scatters && c->photons && c->photons[p->lane]->of[PHOTON_IN].node_count > 0 && set->of[0].leaf != MEDIA_AIR)
-        march.given = colour_add(march.given, gather_photons(&c->photons[p->lane]->of[PHOTON_IN], &march));
+        march.given = colour_add(march.given, gather_photons(&c->photons[p->lane]->of[PHOTON_IN], &c->views[p->lane], &march));
     *by = colour_mul(*by, march.through);
     *given = colour_add(colour_mul(march.through, *given), march.given);
 }

@@ -273,8 +273,27 @@ static bool is_wanted(void *tracer)
     return !interrupt_is_due(&t->context.interrupt, BATCH_MAX);
 }
 
+/* No disc has a radius below the distance between the samples so far of the pixel's half: then some of them meet it, however
+ * much light it holds. As the discs of the second half are half as wide as the first's, so is this. Of a pixel's first sample
+ * in each half that would blur more than it helps. */
+static photon_view view_of(const photon_work *w, const pov_ray *ray, uint32_t number)
+{
+    const double by = number < 2 ? 0.0 : (number & 1 ? 0.5 : 1.0) / sqrt((double)(number / 2) + 1.0);
+    const photon_view v = { ray->org, by * w->width, by * w->slope };
+
+    return v;
+}
+
+void tracer_set_pixel(pov_tracer *t, double width, double slope)
+{
+    if (!t->photons)
+        return;
+    t->photons->width = width;
+    t->photons->slope = slope;
+}
+
 /* The map for each ray, made if need be. False: no memory, or given up. */
-static bool take_maps(pov_tracer *t, uint32_t n)
+static bool take_maps(pov_tracer *t, const pov_ray *rays, uint32_t n)
 {
     shade_context *c = &t->context;
     photon_work *w = t->photons;
@@ -289,8 +308,10 @@ static bool take_maps(pov_tracer *t, uint32_t n)
             return false;
         }
         w->maps[i] = w->known[number];
+        w->views[i] = view_of(w, &rays[i], c->samples[i].number);
     }
     c->photons = w->maps;
+    c->views = w->views;
     return true;
 }
 
@@ -379,7 +400,7 @@ static void trace(pov_tracer *t, const pov_ray *rays, uint32_t n, unsigned known
     for (i = 0; i < n; i++)
         out[i] = colour_of(0.0f, 0.0f, 0.0f);
     t->context.samples = samples ? samples : number_rays(t, rays, n);
-    if (t->photons && !take_maps(t, n))
+    if (t->photons && !take_maps(t, rays, n))
         return;
     t->context.alpha = alpha;
     for (i = 0; alpha && i < n; i++)
