@@ -286,10 +286,10 @@ void cells_measure(const cells *c, pov_rect tile, const encoding *e, group *grou
             memcpy(linear, out, sizeof linear);
             encoding_linear(e, linear, 1);
             shown[into].square += square;
-            shown[into].fourth += c->sets ? 0.0 : square * square;
+            shown[into].fourth += c->alike ? 0.0 : square * square;
             groups[into].clipped += is_clipped(linear);
             show(c, &shown[into], tile.x + x, tile.y + y, linear);
         }
-    for (int i = 0; c->sets && i < GROUPS * r.columns * r.rows; i++)
-        shown[i].fourth = SET_CELLS * SET_CELLS * shown[i].square * shown[i].square;
+    for (int i = 0; c->alike && i < GROUPS * r.columns * r.rows; i++)
+        shown[i].fourth = c->alike * shown[i].square * shown[i].square;
 }

@@ -22,8 +22,8 @@ typedef struct group {
 
 /* Measurements of a group: sums over its pixels. */
 typedef struct showing {
-    double square, fourth;       /* of the estimated squared error, and of that squared; with sets the sum's square, as often as a set
-                                  * has groups */
+    double square, fourth;       /* of the estimated squared error, and of that squared; where errors are alike, the sum's square, as
+                                  * often as groups are alike */
     double light[3], light_square;   /* of linear light, and of its mean square */
     double off_square, off_max;  /* against the reference */
 } showing;
@@ -35,7 +35,7 @@ typedef struct cells {
     showing *shown;              /* the same; NULL when a pixel has one sample and there is no reference */
     double *seconds;             /* processor seconds of each cell; NULL: not measured */
     int sums;                    /* numbers a pixel in `halves` */
-    bool sets;                   /* the errors of the pixels of a set are alike */
+    int alike;                   /* the errors of the pixels of so many groups are alike; 0: of none */
     double *halves;              /* the sums of both, three each, and that of alpha if there is alpha; NULL when a pixel
                                   * has one sample */
     const float *reference;      /* linear light, four channels a pixel, the caller's; or NULL */
@@ -57,6 +57,9 @@ cell_range cells_of(pov_rect tile);
 pov_rect cells_rect(const cells *c, int column, int row);
 /* Rays of radiosity use what others of their set find: the pixels of one colour of a square of cells. */
 enum { SET_CELLS = 2, SET_EDGE = SET_CELLS * CELL_EDGE, SET_PIXELS = SET_EDGE * SET_EDGE / GROUPS };
+
+/* Light of photons is spread over discs that are several pixels wide: the pixels of a cell are alike. */
+enum { ALIKE_SETS = SET_CELLS * SET_CELLS, ALIKE_PHOTONS = GROUPS };
 
 /* A corner cell may be so narrow that its second group has none. */
 size_t cells_pixels(const cells *c, size_t group);

@@ -36,8 +36,9 @@ static pov_status make_parts(pov_job *job, int parts, pov_error *err)
     job->all_pixels = pixels_of(&job->tiles);
     if (!cells_make(&job->cells, job->env, s))
         return err_memory(err);
-    job->cells.sets = job->scene && job->scene->plan->radiosity;
-    job->framebuffer.again = job->cells.sets;
+    if (job->scene)
+        job->cells.alike = job->scene->plan->radiosity ? ALIKE_SETS : job->scene->plan->photons ? ALIKE_PHOTONS : 0;
+    job->framebuffer.again = job->scene && job->scene->plan->radiosity;
     job->cells.reference = s->reference;
     job->cells.reference_clipped = s->reference_clipped;
     if (s->time_map && !cells_count_time(&job->cells, job->env))

@@ -69,7 +69,7 @@ static pov_status begin(joining *j, const part_head *head, pov_error *err)
     if (status < 0)
         return status;
     j->first = *head;
-    j->job->cells.sets = head->sets != 0;
+    j->job->cells.alike = head->alike == ALIKE_SETS || head->alike == ALIKE_PHOTONS ? head->alike : 0;
     memcpy(j->job->note, head->note, sizeof head->note);
     j->rounds = env_alloc(j->env, (size_t)head->id.parts, sizeof *j->rounds);
     j->job->joined = env_alloc(j->env, 1, sizeof *j->job->joined);
@@ -84,7 +84,7 @@ static pov_status begin(joining *j, const part_head *head, pov_error *err)
 static bool are_of_one_picture(const part_head *a, const part_head *b)
 {
     return memcmp(&a->id, &b->id, sizeof a->id) == 0 && memcmp(a->note, b->note, sizeof a->note) == 0 &&
-           a->decodes_srgb == b->decodes_srgb && a->sets == b->sets && a->transfer == b->transfer &&
+           a->decodes_srgb == b->decodes_srgb && a->alike == b->alike && a->transfer == b->transfer &&
            memcmp(&a->decode, &b->decode, sizeof a->decode) == 0;
 }
 

@@ -88,7 +88,7 @@ static unsigned char *put_head(const pov_job *job, unsigned char *to)
     head.part = job->settings.part;
     head.round = joined ? job->round + 1 : job->round;
     head.decodes_srgb = job->encoding.decodes_srgb;
-    head.sets = job->cells.sets;
+    head.alike = job->cells.alike;
     head.transfer = (int32_t)job->encoding.display.transfer;
     head.decode = job->encoding.decode;
     head.cpu = job->cpu;

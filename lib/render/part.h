@@ -12,7 +12,7 @@
 typedef struct part_head {
     identity id;
     int32_t part, round;         /* part: 0 for a round */
-    int32_t decodes_srgb, transfer, sets;   /* sets: as in cells */
+    int32_t decodes_srgb, transfer, alike;   /* alike: as in cells */
     double decode, cpu;          /* cpu: seconds, since the first round */
     pov_counts counts;
     char note[SETTINGS_NOTE];

@@ -5,13 +5,13 @@
 #include "support/near.h"
 
 /* A picture of one set, 8x8 pixels, two samples a pixel that differ by .5 in every channel. */
-static showing measure(bool sets)
+static showing measure(int alike)
 {
     static group groups[GROUPS * TILE_CELLS_MAX];
     static showing shown[GROUPS * TILE_CELLS_MAX];
     static double halves[6 * SET_EDGE * SET_EDGE];
     static float pixels[4 * SET_EDGE * SET_EDGE];
-    const cells c = { .width = SET_EDGE, .height = SET_EDGE, .sums = 6, .sets = sets };
+    const cells c = { .width = SET_EDGE, .height = SET_EDGE, .sums = 6, .alike = alike };
     const pov_rect all = { 0, 0, SET_EDGE, SET_EDGE };
     encoding linear = { .decode = 1.0 };
 
@@ -28,7 +28,7 @@ enum { PIXELS = CELL_EDGE * CELL_EDGE / GROUPS };
 
 static void the_halves_difference_tells_the_error(void **state)
 {
-    const showing s = measure(false);
+    const showing s = measure(0);
 
     (void)state;
     assert_near(s.square, PIXELS * 0.0625, 1e-12);
@@ -38,11 +38,19 @@ static void the_halves_difference_tells_the_error(void **state)
 /* Pixels that err alike are as one: the band is that of sets. */
 static void the_band_of_sets_is_wider(void **state)
 {
-    const showing s = measure(true);
+    const showing s = measure(ALIKE_SETS);
 
     (void)state;
     assert_near(s.square, PIXELS * 0.0625, 1e-12);
     assert_near(s.fourth * SET_CELLS * SET_CELLS, SET_PIXELS * 0.0625 * SET_PIXELS * 0.0625, 1e-9);
+}
+
+static void the_band_of_photons_is_that_of_cells(void **state)
+{
+    const showing s = measure(ALIKE_PHOTONS);
+
+    (void)state;
+    assert_near(s.fourth * GROUPS, GROUPS * PIXELS * 0.0625 * GROUPS * PIXELS * 0.0625, 1e-9);
 }
 
 int main(void)
@@ -50,6 +58,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(the_halves_difference_tells_the_error),
         cmocka_unit_test(the_band_of_sets_is_wider),
+        cmocka_unit_test(the_band_of_photons_is_that_of_cells),
     };
 
     return cmocka_run_group_tests(tests, NULL, NULL);
