@@ -1,8 +1,9 @@
 #!/usr/bin/env python3
 """A box of diffuse walls after exactly three bounces by brute force, beside pictures of povc and POV-Ray.
 
-The boxes are rad_box_empty and rad_box_sky of a folder of probes: walls of .7, the left one red, the right one green, lit by a
-patch under the ceiling, or open above to an even sky. Paths are followed with numpy and know nothing of povtrace. Printed are,
+The boxes are rad_box_empty, rad_box_sky and the one with glass of a folder of probes: walls of .7, the left one red, the right
+one green, lit by a patch under the ceiling, or open above to an even sky, or with a sphere of glass that lets .9 through at each
+surface. Paths are followed with numpy and know nothing of povtrace. Printed are,
 over the means of 8x8 pixels none of which is nearly clipped, by how much both pictures are off."""
 import argparse
 import subprocess
@@ -17,6 +18,7 @@ WIDTH, HEIGHT, BLOCK = 64, 48, 8
 BOUNCES = 3
 SKY, EMISSION, PATCH_AT, PATCH_HALF = (.4, .5, .7), 3.0, .999, .5
 TOP = 3
+CENTRE, RADIUS, IOR, CLEAR = numpy.array([.2, -.5, .3]), .45, 1.5, .9
 # By face: -x, +x, -y, +y, -z, +z.
 ALBEDO = .7 * numpy.array([[.9, .2, .2], [.2, .9, .2]] + 4 * [[1, 1, 1]])
 
@@ -64,6 +66,28 @@ def hits_patch(start, direction, until):
     return (t > 1e-9) & (t < until) & (abs(at[:, 0]) < PATCH_HALF) & (abs(at[:, 2]) < PATCH_HALF)
 
 
+def refracted(direction, normal, eta):
+    """Through a surface whose normal faces the ray."""
+    cosine = -(direction * normal).sum(1)[:, None]
+    return eta * direction + (eta * cosine - numpy.sqrt(1 - eta * eta * (1 - cosine * cosine))) * normal
+
+
+def through_sphere(start, direction, until):
+    """The rays behind the sphere, and what it leaves of them."""
+    b = ((start - CENTRE) * direction).sum(1)
+    square = b * b - ((start - CENTRE) ** 2).sum(1) + RADIUS ** 2
+    near = -b - numpy.sqrt(numpy.maximum(square, 0))
+    meets = (square > 0) & (near > 1e-9) & ~hits_patch(start, direction, numpy.minimum(near, until))
+    enters = start + near[:, None] * direction
+    normal = (enters - CENTRE) / RADIUS
+    normal[~meets] = -direction[~meets]
+    inside = refracted(direction, normal, 1 / IOR)
+    leaves = enters - 2 * RADIUS * (inside * normal).sum(1)[:, None] * inside
+    behind = refracted(inside, -(leaves - CENTRE) / RADIUS, IOR)
+    meets = meets[:, None]
+    return numpy.where(meets, leaves, start), numpy.where(meets, behind, direction), numpy.where(meets, CLEAR ** 2, 1)
+
+
 def scattered(random, normal):
     """Directions by the cosine."""
     u, turn = random.random(len(normal)), 2 * numpy.pi * random.random(len(normal))
@@ -85,21 +109,26 @@ def from_patch(random, face, point, normal):
     return numpy.where((cosine > 0) & ~above, EMISSION * cosine * abs(way[:, 1]) / (numpy.pi * square ** 2), 0)
 
 
-def one_path_each(random, sky):
+def one_path_each(random, name):
+    sky, glass = name.endswith('sky'), 'glass' in name
     start, direction = camera_rays(random)
     out, weight = numpy.zeros(start.shape), numpy.ones(start.shape)
     alive = numpy.ones(len(start), bool)
     for bounce in range(BOUNCES + 1):
         face, point, until = walls(start, direction)
+        if glass:
+            start, direction, left = through_sphere(start, direction, until)
+            weight = weight * left
+            face, point, until = walls(start, direction)
         gone = alive & (face == TOP if sky else hits_patch(start, direction, until))
-        if sky or bounce == 0:
+        if sky or glass or bounce == 0:
             out += weight * gone[:, None] * (numpy.array(SKY) if sky else EMISSION)
         alive &= ~gone
         if bounce == BOUNCES:
             break
         normal = normals(face)
         weight = weight * ALBEDO[face]
-        if not sky:
+        if not sky and not glass:
             out += weight * (from_patch(random, face, point, normal) * alive)[:, None]
         start, direction = point, scattered(random, normal)
     return out.reshape(HEIGHT, WIDTH, 3)
@@ -116,8 +145,8 @@ def means(picture):
 def main():
     options = arguments()
     random = numpy.random.default_rng(5)
-    for name in ('rad_box_empty', 'rad_box_sky'):
-        truth = sum(one_path_each(random, name.endswith('sky')) for _ in range(options.paths)) / options.paths
+    for name in ('rad_box_empty', 'rad_box_sky', "rad_box_glass_ball"):
+        truth = sum(one_path_each(random, name) for _ in range(options.paths)) / options.paths
         counts = blocks(truth).max((1, 3, 4)) < .9
         with tempfile.TemporaryDirectory() as work:
             ours = Path(work, 'ours.pfm')
