@@ -78,13 +78,13 @@ const sky_sphere *parse_sky_node(pov_reader *in)
     return keep(in, &r.sky, sizeof r.sky);
 }
 
-static const sky_sphere *quick_sky(pov_reader *in, const sky_sphere *of)
+static const sky_sphere *draft_sky(pov_reader *in, const sky_sphere *of)
 {
     const pigment_node *layers[SKY_LAYERS + 1] = { NULL };
     sky_sphere own = *of;
 
     for (uint32_t i = 0; i < of->count; i++)
-        layers[i] = textures_quick_pigment(in, of->layers[i]);
+        layers[i] = textures_draft_pigment(in, of->layers[i]);
     own.layers = keep(in, layers, (of->count + 1) * sizeof *layers);
     return in->failed ? NULL : keep(in, &own, sizeof own);
 }
@@ -95,8 +95,8 @@ void parse_sky(pov_reader *in, void *self, keyword_id keyword)
 
     (void)self;
     (void)keyword;
-    if (s && textures_are_quick(in))
-        s = quick_sky(in, s);
+    if (s && textures_are_drafts(in))
+        s = draft_sky(in, s);
     for (uint32_t i = 0; s && i < s->count; i++)
         textures_settle_pigment(in, s->layers[i]);
     if (s)

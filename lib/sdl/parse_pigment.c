@@ -13,7 +13,7 @@ typedef struct pigment_reading {
     value_kind kind;             /* VALUE_PIGMENT or VALUE_DENSITY */
     bool has_colour;
     pigment constant;
-    const pigment_node *quick;   /* NULL: there is no other colour in quick pictures */
+    const pigment_node *draft;   /* NULL: there is no other colour in drafts */
     map_parsed map;
 } pigment_reading;
 
@@ -40,7 +40,7 @@ static void take_colour(pov_reader *in, pigment_reading *r) { set_colour(r, read
 static void take_base(pigment_reading *r, const pigment_node *from)
 {
     r->constant = from->most;
-    r->quick = from->quick;
+    r->draft = from->draft;
     memset(&r->map, 0, sizeof r->map);
     if (from->space)
         parse_pattern_take_space(&r->pattern, from->space);
@@ -77,7 +77,7 @@ static void read_quick_colour(pov_reader *in, void *self, keyword_id keyword)
 
     (void)keyword;
     if (!in->failed)
-        ((pigment_reading *)self)->quick = textures_constant(in, &(pigment){ p.colour, p.filter, p.transmit });
+        ((pigment_reading *)self)->draft = textures_constant(in, &(pigment){ p.colour, p.filter, p.transmit });
 }
 
 /* ---- lists ---- */
@@ -197,7 +197,7 @@ static const pigment_node *make_varying(pov_reader *in, pigment_reading *r)
 
     memset(&node, 0, sizeof node);
     node.pattern = parse_pattern_end(in, &r->pattern);
-    node.quick = r->quick;
+    node.draft = r->draft;
     if (class->colours) {
         node.most = class->most(r->pattern.self.bytes);
         return textures_pigment(in, &node);
@@ -236,7 +236,7 @@ static const pigment_node *make_node(pov_reader *in, pigment_reading *r)
         return *(const pigment_node *const *)r->map.members;
     memset(&node, 0, sizeof node);
     node.most = r->constant;
-    node.quick = r->quick;
+    node.draft = r->draft;
     node.space = parse_pattern_space(in, &r->pattern);
     return textures_pigment(in, &node);
 }
@@ -278,7 +278,7 @@ static void begin(pigment_reading *r, value_kind kind, const pigment_node *base)
     parse_pattern_begin(&r->pattern);
     r->kind = kind;
     r->has_colour = false;
-    r->quick = NULL;
+    r->draft = NULL;
     memset(&r->constant, 0, sizeof r->constant);
     memset(&r->map, 0, sizeof r->map);
     if (base)

@@ -436,16 +436,16 @@ static void make_material(pov_reader *in, const surface_parsed *s, material *out
 
 void parse_surface_material(pov_reader *in, const surface_parsed *s, material *out)
 {
-    surface_parsed quick;
+    surface_parsed draft;
 
-    if (!textures_are_quick(in)) {
+    if (!textures_are_drafts(in)) {
         make_material(in, s, out);
         return;
     }
-    quick = *s;
-    quick.pigment = textures_quick_pigment(in, s->pigment);
-    quick.whole = textures_quick(in, s->whole);
-    quick.under = textures_quick(in, s->under);
-    quick.inside = textures_quick(in, s->inside);
-    make_material(in, &quick, out);
+    draft = *s;
+    draft.pigment = textures_draft_pigment(in, s->pigment);
+    draft.whole = textures_draft(in, s->whole);
+    draft.under = textures_draft(in, s->under);
+    draft.inside = textures_draft(in, s->inside);
+    make_material(in, &draft, out);
 }

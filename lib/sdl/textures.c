@@ -122,7 +122,7 @@ static const normal_node *change_normal(pov_reader *in, const normal_node *n, co
 
 static const texture *change_texture(pov_reader *in, const texture *t, const change *by);
 
-/* by NULL: as they are in quick pictures. */
+/* by NULL: as they are in drafts. */
 static const texture *change_members(pov_reader *in, const texture *t, const change *by)
 {
     const texture **members = env_alloc(in->model->env, t->count, sizeof *members), *changed = NULL;
@@ -133,7 +133,7 @@ static const texture *change_members(pov_reader *in, const texture *t, const cha
         return t;
     }
     for (uint32_t i = 0; i < t->count; i++)
-        members[i] = by ? change_texture(in, t->textures[i], by) : textures_quick(in, t->textures[i]);
+        members[i] = by ? change_texture(in, t->textures[i], by) : textures_draft(in, t->textures[i]);
     own.textures = members;
     if (!in->failed)
         changed = textures_texture(in, &own);
@@ -184,16 +184,16 @@ const pigment_node *textures_uv_pigment(pov_reader *in, const pigment_node *p) {
 const normal_node *textures_uv_normal(pov_reader *in, const normal_node *n) { return change_normal(in, n, &upon_uv); }
 const texture *textures_uv(pov_reader *in, const texture *t) { return change_texture(in, t, &upon_uv); }
 
-/* ---- quick pictures ---- */
+/* ---- drafts ---- */
 
-bool textures_are_quick(const pov_reader *in) { return in->options && in->options->quick_colours; }
+bool textures_are_drafts(const pov_reader *in) { return in->options && in->options->quick_colours; }
 
-static const pigment_node *make_quick(pov_reader *in, const pigment_node *p, const pigment_node **members)
+static const pigment_node *make_draft(pov_reader *in, const pigment_node *p, const pigment_node **members)
 {
     pigment_node own = *p;
 
     for (uint32_t i = 0; i < p->count; i++) {
-        members[i] = textures_quick_pigment(in, p->pigments[i]);
+        members[i] = textures_draft_pigment(in, p->pigments[i]);
         if (in->failed)
             return p;
         own.most = i > 0 ? pigment_most(own.most, members[i]->most) : members[i]->most;
@@ -202,24 +202,24 @@ static const pigment_node *make_quick(pov_reader *in, const pigment_node *p, con
     return textures_pigment(in, &own);
 }
 
-const pigment_node *textures_quick_pigment(pov_reader *in, const pigment_node *p)
+const pigment_node *textures_draft_pigment(pov_reader *in, const pigment_node *p)
 {
     const pigment_node **members, *out = p;
 
-    if (p && p->quick)
-        return p->quick;
+    if (p && p->draft)
+        return p->draft;
     if (!p || !p->pigments || in->failed)
         return p;
     members = env_alloc(in->model->env, p->count, sizeof *members);
     if (members)
-        out = make_quick(in, p, members);
+        out = make_draft(in, p, members);
     else
         report_memory(in);
     env_free(in->model->env, members);
     return out;
 }
 
-const texture *textures_quick(pov_reader *in, const texture *t)
+const texture *textures_draft(pov_reader *in, const texture *t)
 {
     texture own;
 
@@ -227,7 +227,7 @@ const texture *textures_quick(pov_reader *in, const texture *t)
         return t;
     own = *t;
     if (t->blend == BLEND_NONE) {
-        own.pigment = textures_quick_pigment(in, t->pigment);
+        own.pigment = textures_draft_pigment(in, t->pigment);
         return textures_texture(in, &own);
     }
     return change_members(in, t, NULL);

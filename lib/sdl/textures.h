@@ -34,9 +34,9 @@ const normal_node *textures_uv_normal(pov_reader *in, const normal_node *n);
 const texture *textures_uv(pov_reader *in, const texture *t);
 
 /* Quick pictures are asked for, and what things are in them. */
-bool textures_are_quick(const pov_reader *in);
-const pigment_node *textures_quick_pigment(pov_reader *in, const pigment_node *p);
-const texture *textures_quick(pov_reader *in, const texture *t);
+bool textures_are_drafts(const pov_reader *in);
+const pigment_node *textures_draft_pigment(pov_reader *in, const pigment_node *p);
+const texture *textures_draft(pov_reader *in, const texture *t);
 
 /* Before it becomes part of the model: its patterns know where they stand, and the scene has the noise that they need. */
 void textures_settle_pattern(pov_reader *in, const pattern *p);

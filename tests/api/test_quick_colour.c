@@ -1,4 +1,4 @@
-/* quick_color: what pigments are in quick pictures. Colours beside POV-Ray's at +Q5. */
+/* quick_color: what pigments are in drafts. Colours beside POV-Ray's at +Q5. */
 #include "support/check.h"
 #include "support/scenes.h"
 
