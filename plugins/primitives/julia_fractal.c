@@ -129,7 +129,7 @@ static void parse(void *self, const pov_host *host, pov_reader *in)
     j->f = w.f ? w.f : w.hypercomplex ? disc_squared : NULL;
     j->squares = j->f == disc_squared;
     j->reach = j->f ? 4.0 : fmin(1.0 + sqrt(square_of(&j->c)), 2.0);
-    j->shortest *= 0x1p-4;
+    j->shortest *= j->f ? 0x1p-4 : 0x1p-10;   /* of quaternions few stretches come near it */
     j->first = j->f ? 0.25 : 0.5;
     j->shrink = j->f ? 0.25 : 0.3;
     j->grow = j->f ? 2.0 : 1.4;
