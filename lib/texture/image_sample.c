@@ -50,7 +50,7 @@ static const unsigned char *pixel(const image *of, int64_t column, int64_t row)
     return of->samples + (size_t)row * of->stride + (size_t)column * (of->channels * of->bits / 8);
 }
 
-static float sample(const image_map *map, const unsigned char *at, uint32_t channel)
+static inline float sample(const image_map *map, const unsigned char *at, uint32_t channel)
 {
     uint16_t wide;
     float real;
@@ -82,7 +82,7 @@ static float alpha(const image *of, const unsigned char *at)
     return real;
 }
 
-static pigment colour_of_pixel(const image_map *map, int64_t column, int64_t row)
+static inline pigment colour_of_pixel(const image_map *map, int64_t column, int64_t row)
 {
     const image *of = map->image;
     const unsigned char *at = pixel(of, column, row);
@@ -128,7 +128,7 @@ typedef struct kind {
     void (*get)(const image_map *map, int64_t column, int64_t row, double *out);
 } kind;
 
-static void get_colour(const image_map *map, int64_t column, int64_t row, double *out)
+static inline void get_colour(const image_map *map, int64_t column, int64_t row, double *out)
 {
     const pigment p = colour_of_pixel(map, column, row);
 
@@ -139,18 +139,18 @@ static void get_colour(const image_map *map, int64_t column, int64_t row, double
     out[4] = p.transmit;
 }
 
-static void get_grey(const image_map *map, int64_t column, int64_t row, double *out)
+static inline void get_grey(const image_map *map, int64_t column, int64_t row, double *out)
 {
     out[0] = image_grey_of(colour_of_pixel(map, column, row).color);
 }
 
-static void get_index(const image_map *map, int64_t column, int64_t row, double *out)
+static inline void get_index(const image_map *map, int64_t column, int64_t row, double *out)
 {
     out[0] = index_of_pixel(map, column, row);
 }
 
 /* Within 0 to size - 1: a pixel that repeats, or the edge. */
-static int64_t bound(int64_t i, int64_t size, bool once)
+static inline int64_t bound(int64_t i, int64_t size, bool once)
 {
     if (i >= 0 && i < size)
         return i;
@@ -235,8 +235,8 @@ static double repeated(double v)
     return f < 1.0 ? f : 0.0;
 }
 
-/* A whole v is the lower edge, and not the upper one of the next copy. */
-static parts find(const image_map *map, const kind *k, image_place at)
+/* A whole v is the lower edge, and not the upper one of the next copy. Each kind has a copy of its own. */
+SIMD_INLINE parts find(const image_map *map, const kind *k, image_place at)
 {
     const int64_t width = map->image->width, height = map->image->height;
     const double x = repeated(at.u) * (double)width, y = (1.0 - repeated(at.v)) * (double)height;
