@@ -172,12 +172,13 @@ SIMD_INLINE void find_corners(const noise_tables *t, const lattice *l, uint32_t 
 {
     const uint32_t hx[2] = { t->hash[l->low[0][lane]], t->hash[l->high[0][lane]] };
     const uint32_t y[2] = { l->low[1][lane], l->high[1][lane] }, z[2] = { l->low[2][lane], l->high[2][lane] };
+    const double *const copies = (const double *)(const void *)t->measured;   /* one behind the other */
 
     for (int c = 0; c < CORNERS / 2; c++) {
         const uint32_t hxy = t->hash[hx[c & 1] ^ y[c >> 1]];
 
-        from[c] = t->measured[0] + t->last[hxy ^ z[0]];
-        from[c + 4] = t->measured[0] + t->last[hxy ^ z[1]];
+        from[c] = copies + t->last[hxy ^ z[0]];
+        from[c + 4] = copies + t->last[hxy ^ z[1]];
     }
 }
 
