@@ -56,7 +56,7 @@ void cells_clear(cells *c);
 cell_range cells_of(pov_rect tile);
 pov_rect cells_rect(const cells *c, int column, int row);
 /* Rays of radiosity use what others of their set find: the pixels of one colour of a square of cells. */
-enum { SET_CELLS = 2, SET_EDGE = SET_CELLS * CELL_EDGE, SET_PIXELS = SET_EDGE * SET_EDGE / GROUPS };
+enum { SET_CELLS = 2, SET_EDGE = SET_CELLS * CELL_EDGE, SET_PIXELS = SET_EDGE * SET_EDGE / GROUPS, SET_SQUARE = 2 };
 
 /* Light of photons is spread over discs that are several pixels wide: the pixels of a cell are alike. */
 enum { ALIKE_SETS = SET_CELLS * SET_CELLS, ALIKE_PHOTONS = GROUPS };

@@ -119,29 +119,45 @@ static bool refine_group(worker *w, const settings *s, cell_range range, int num
 
 /* ---- sets ---- */
 
-/* The next sample of the pixels of one colour of a square of two by two cells whose groups need it. */
-static void refine_set(worker *w, const settings *s, cell_range range, int column, int row, int parity, uint32_t k, packet *c)
+/* Sets lie in squares of two by two of them, which no tile divides. From the second sample on they are shifted there by chance, around
+ * its edges, so that what is alike within a set is not seen as a square in the mean. */
+typedef struct shift { int x, y; } shift;
+
+static shift shift_of(const settings *s, int x, int y, uint32_t k)
+{
+    const uint64_t bits = random_set(s->seed + k, 40, x, y);
+    const shift none = { 0, 0 }, some = { (int)(bits >> 8 & 15), (int)(bits >> 16 & 15) };
+
+    return k > 0 ? some : none;
+}
+
+/* The next sample of the pixels of a set whose groups need it: of one colour, in the quarter `number` of a shifted square. */
+static void refine_set(worker *w, const settings *s, cell_range range, int left, int top, int number, int parity, uint32_t k, packet *c)
 {
     const pov_rect tile = w->claim.rect;
-    const int left = column * CELL_EDGE, top = row * CELL_EDGE;
-    const uint64_t set = random_set(s->seed, (uint32_t)(32 + parity), s->crop.x + tile.x + left, s->crop.y + tile.y + top);
+    const int x0 = s->crop.x + tile.x + left, y0 = s->crop.y + tile.y + top;
+    const int right = number % SET_SQUARE * SET_EDGE, down = number / SET_SQUARE * SET_EDGE;
+    const uint64_t set = random_set(s->seed, (uint32_t)(32 + parity), x0 + right, y0 + down);
+    const shift by = shift_of(s, x0, y0, k);
     uint32_t place = 0;
 
     if (c->count > BATCH_MAX - SET_PIXELS)
         trace_packet(w, s, c);
-    for (int y = top; y < top + SET_EDGE && y < tile.height; y++)
-        for (int x = left; x < left + SET_EDGE && x < tile.width; x++) {
-            const size_t number = group_of(range.columns, x, y);
-            const group *g = &w->refinement->groups[number];
+    for (int i = 0; i < SET_EDGE * SET_EDGE; i++) {
+        const int x = left + ((right + i % SET_EDGE + by.x) & (SET_SQUARE * SET_EDGE - 1));
+        const int y = top + ((down + i / SET_EDGE + by.y) & (SET_SQUARE * SET_EDGE - 1));
+        const size_t at = group_of(range.columns, x, y);
 
-            if (((x ^ y) & 1) == parity && g->count <= k && k < g->target)
-                add_sample(w, s, c, (int)(number / GROUPS), x, y, k, set, place++);
-        }
+        if (((x ^ y) & 1) == parity && x < tile.width && y < tile.height && w->refinement->groups[at].count <= k &&
+            k < w->refinement->groups[at].target)
+            add_sample(w, s, c, (int)(at / GROUPS), x, y, k, set, place++);
+    }
 }
 
 /* Take the next samples of all pixels of the tile, those of a set together. False: given up. */
 static bool refine_sets(worker *w, const settings *s, cell_range range, packet *c)
 {
+    enum { EDGE = SET_SQUARE * SET_EDGE };
     refinement *r = w->refinement;
     const int all = GROUPS * range.columns * range.rows;
     uint32_t first = UINT32_MAX, last = 0;
@@ -151,10 +167,10 @@ static bool refine_sets(worker *w, const settings *s, cell_range range, packet *
         last = r->groups[i].target > last ? r->groups[i].target : last;
     }
     for (uint32_t k = first; k < last; k++)
-        for (int row = 0; row < range.rows; row += SET_CELLS)
-            for (int column = 0; column < range.columns; column += SET_CELLS)
-                for (int parity = 0; parity < GROUPS; parity++) {
-                    refine_set(w, s, range, column, row, parity, k, c);
+        for (int top = 0; top < w->claim.rect.height; top += EDGE)
+            for (int left = 0; left < w->claim.rect.width; left += EDGE)
+                for (int set = 0; set < GROUPS * SET_SQUARE * SET_SQUARE; set++) {
+                    refine_set(w, s, range, left, top, set / GROUPS, set % GROUPS, k, c);
                     if (worker_is_given_up(w))
                         return false;
                 }
