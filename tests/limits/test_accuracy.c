@@ -37,7 +37,8 @@ static float *picture(pov_context *context, const char *path, pov_accuracy accur
 }
 
 /* Last bits decide the random numbers of photons and of jittered lights: single pixels differ, their mean does not. */
-static const char *const by_chance[] = { "photons_glass", "photons_media", "caustic", "dust", "logo", "sculpture", "still_life", NULL };
+static const char *const by_chance[] = { "photons_glass", "photons_media", "caustic", "colonnade", "dust", "focus", "goblets", "logo",
+                                        "sculpture", "spectrum", "still_life", NULL };
 
 static double mean_of(const float *pixels)
 {
