@@ -327,6 +327,16 @@ static pov_two3 column(const pov_two3 rows[3], int i)
 
 /* The new matrix is the inverse's transpose times the matrix times the inverse. Maps that change angles much would lose
  * precision in these products, unless they are axial. */
+/* a . b, or zero where that is not told from what rounding leaves of zero: errors are taken in proportion to coefficients. */
+static pov_two certain_dot(pov_two3 a, pov_two3 b)
+{
+    const pov_two dot = pov_two3_dot(a, b);
+    const double terms = fabs(a.x.hi * b.x.hi) + fabs(a.y.hi * b.y.hi) + fabs(a.z.hi * b.z.hi);
+    const pov_two zero = { 0.0, 0.0 };
+
+    return fabs(dot.hi) <= 0x1p-96 * terms ? zero : dot;
+}
+
 bool common_quadric_absorb(common_quadric *s, const pov_affine *map)
 {
     static const int row_of[6] = { 0, 1, 2, 0, 0, 1 }, column_of[6] = { 0, 1, 2, 1, 2, 2 };
@@ -347,7 +357,7 @@ bool common_quadric_absorb(common_quadric *s, const pov_affine *map)
         raw[i] = pov_two_scale(pov_two3_dot(columns[row_of[i]], product), i < D ? 1.0 : 2.0);
     }
     for (i = 0; i < 3; i++)
-        raw[G + i] = pov_two3_dot(columns[i], linear);
+        raw[G + i] = certain_dot(columns[i], linear);
     raw[J] = old[J];
     for (i = 0; i < COEFFICIENTS; i++) {
         if (!isfinite(raw[i].hi) || !isfinite(raw[i].lo))

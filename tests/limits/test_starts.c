@@ -44,6 +44,8 @@ static const place places[] = {
     { "plane { <1,2,2>, 3 }", { 1, 2, 2 }, { 1, 2, 2 }, false, false },
     { "plane { <1,1,1>, 0 }", { 1, -3, 2 }, { 1, 1, 1 }, false, false },
     { "plane { y, 0 rotate 33*y translate <5,1,9> }", { 3, 1, 2 }, { 0, 1, 0 }, false, false },
+    { "plane { <-20,20,-10>, 0 matrix <2,3,3,-2,1,-2,1,1,-1,1.5454133972525597e-08,7.9453457146883011e-09,-2.0634615793824196e-08> }",
+      { 0x1.098p-26, 0x1.3c8p-26, -0x1.adp-27 }, { 1, 0, 0 }, false, false },
     { "disc { <0,0,0>, <1,1,1>, 9 }", { 1, -3, 2 }, { 1, 1, 1 }, false, false },
     { "disc { <0,0,0>, y, 9 scale <1,2,3> translate <5,1,9> }", { 3, 1, 2 }, { 0, 1, 0 }, false, false },
     { TILTED, { 1, 1, 1 }, { 1, 1, 1 }, false, false },
