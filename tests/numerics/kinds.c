@@ -44,13 +44,8 @@ static int by_distance(const void *a, const void *b)
 static uint32_t ask(const shape_class *c, const void *self, const pov_ray *ray, double end, pov_crossing *at)
 {
     static union { char bytes[1 << 16]; double aligned; } scratch;
-    pov_hits hits;
+    pov_hits hits = hits_to(end, POV_WANT_ALL, at, KIND_CROSSINGS);
 
-    memset(&hits, 0, sizeof hits);
-    hits.tmax = end;
-    hits.want = POV_WANT_ALL;
-    hits.at = at;
-    hits.capacity = KIND_CROSSINGS;
     hits.scratch = &scratch;
     c->intersect(self, ray, &hits);
     return hits.count;

@@ -257,13 +257,8 @@ static pov_ray skimming_ray(const surface *s)
 
 static uint32_t ask(const shape_class *c, const void *self, const pov_ray *ray, pov_want want, pov_crossing *at)
 {
-    pov_hits hits;
+    pov_hits hits = hits_to(HUGE_VAL, want, at, MOST);
 
-    memset(&hits, 0, sizeof hits);
-    hits.tmax = HUGE_VAL;
-    hits.want = want;
-    hits.at = at;
-    hits.capacity = MOST;
     hits.owner = 1;
     c->intersect(self, ray, &hits);
     return hits.count;

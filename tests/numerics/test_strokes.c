@@ -323,11 +323,7 @@ static void a_ray_that_hardly_enters_a_sweep_keeps_its_chord(void **state)
     }
     self = fake_reader_parse(in, c);
     assert_non_null(self);
-    memset(&hits, 0, sizeof hits);
-    hits.tmax = HUGE_VAL;
-    hits.want = POV_WANT_ALL;
-    hits.at = found;
-    hits.capacity = 4;
+    hits = hits_to(HUGE_VAL, POV_WANT_ALL, found, 4);
     hits.scratch = &scratch;
     c->intersect(self, &ray, &hits);
     assert_int_equal(hits.count, 2);

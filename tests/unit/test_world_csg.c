@@ -398,7 +398,7 @@ static uint32_t escalated_at_shared_faces(double from)
     const node_ref leaves[3] = { 0, 1, 2 };
     const pov_ray ray = ray_from(pov_vec3_of(0.1, 0.2, -5.0), ahead);
     pov_crossing at[8];
-    pov_hits hits;
+    pov_hits hits = hits_to(HUGE_VAL, POV_WANT_ALL, at, 8);
     csg_root root;
     scene s;
 
@@ -409,11 +409,6 @@ static uint32_t escalated_at_shared_faces(double from)
     assert_true(model_add_tree(&s.model, group(&s.model, NODE_MERGE, false, leaves, 3)));
     compile(&s, POV_ACCEL_TREE);
     root.tree = &world_trees(s.world)->items[0];
-    memset(&hits, 0, sizeof hits);
-    hits.tmax = HUGE_VAL;
-    hits.want = POV_WANT_ALL;
-    hits.at = at;
-    hits.capacity = 8;
     hits.user = &s.context->hit_buffers[0];
     csg_class.intersect(&root, &ray, &hits);
     assert_int_equal(hits.count, 2);
@@ -510,13 +505,8 @@ static uint32_t cross_members(const model *m, const pov_ray *ray, double *t)
     uint32_t n = 0, resident = 0;
 
     for (uint32_t i = 0; i < m->leaves.count; i++) {
-        pov_hits hits;
+        pov_hits hits = hits_to(HUGE_VAL, POV_WANT_ALL, at, 4);
 
-        memset(&hits, 0, sizeof hits);
-        hits.tmax = HUGE_VAL;
-        hits.want = POV_WANT_ALL;
-        hits.at = at;
-        hits.capacity = 4;
         hits.owner = i;
         hits.always_exact = true;
         m->leaves.items[i].shape->intersect(m->leaves.items[i].instance, ray, &hits);
@@ -674,13 +664,8 @@ static void crossings_ahead_tell_what_is_inside(void **state)
             const pov_ray ray = ray_from(pov_vec3_of(test_uniform(&r, -1.5, 1.5), test_uniform(&r, -1.5, 1.5),
                                                    test_uniform(&r, -1.5, 1.5)), test_direction(&r));
             pov_crossing at[16];
-            pov_hits hits;
+            pov_hits hits = hits_to(HUGE_VAL, POV_WANT_ALL, at, 16);
 
-            memset(&hits, 0, sizeof hits);
-            hits.tmax = HUGE_VAL;
-            hits.want = POV_WANT_ALL;
-            hits.at = at;
-            hits.capacity = 16;
             hits.user = &s.context->hit_buffers[0];
             csg_class.intersect(&root, &ray, &hits);
             assert_int_equal(hits.count & 1, csg_class.inside(&root, ray.org, none));

@@ -1,5 +1,6 @@
 /* Rays of shapes in spaces of their own: the filter before them never says a wrong no or yes, for one ray as for many,
  * and every processor's copy gives the same bits. */
+#include "support/rays.h"
 #include "support/check.h"
 #include "support/maps.h"
 #include "support/shapes.h"
@@ -91,14 +92,9 @@ static const shape_class orb = { .keyword = "orb", .instance_size = sizeof(pov_b
 static uint32_t find_hits(const instance_xform *p, const shape_class *shape, const pov_box *own, const pov_ray *ray,
                           double tmax, pov_crossing at[2])
 {
-    pov_hits hits;
+    pov_hits hits = hits_to(tmax, POV_WANT_ALL, at, 2);
 
-    memset(&hits, 0, sizeof hits);
-    hits.tmax = tmax;
-    hits.want = POV_WANT_ALL;
     hits.always_exact = true;
-    hits.capacity = 2;
-    hits.at = at;
     instance_intersect(p, shape, own, ray, &hits);
     return hits.count;
 }
