@@ -243,6 +243,15 @@ static int begin(void **state)
     return mkdtemp(folder) && chdir(folder) == 0 ? 0 : -1;
 }
 
+static int end(void **state)
+{
+    (void)state;
+    remove("spheres.txt");
+    remove("spheres.pov");
+    remove("heap.pov");
+    return chdir("/") == 0 ? rmdir(folder) : -1;
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -250,5 +259,5 @@ int main(void)
         cmocka_unit_test(what_a_service_cannot_do_is_an_error_with_its_place),
     };
 
-    return cmocka_run_group_tests_name("host_services", tests, begin, NULL);
+    return cmocka_run_group_tests_name("host_services", tests, begin, end);
 }
