@@ -281,14 +281,20 @@ static void a_part_is_pixels_from_1_or_parts_of_all(void **state)
     assert_false(povray_crop(&p, &r));
 }
 
+static char folder[] = "/tmp/povtrace-povray-XXXXXX";
+
 static int in_an_empty_folder(void **state)
 {
-    static char folder[] = "/tmp/povtrace-povray-XXXXXX";
-
     (void)state;
     unsetenv("POVINI");
     setenv("HOME", "/nowhere", 1);
     return mkdtemp(folder) && chdir(folder) == 0 ? 0 : -1;
+}
+
+static int out_of_it(void **state)
+{
+    (void)state;
+    return chdir("/") == 0 ? rmdir(folder) : -1;
 }
 
 int main(void)
@@ -308,5 +314,5 @@ int main(void)
         cmocka_unit_test(a_part_is_pixels_from_1_or_parts_of_all),
     };
 
-    return cmocka_run_group_tests_name("povray", tests, in_an_empty_folder, NULL);
+    return cmocka_run_group_tests_name("povray", tests, in_an_empty_folder, out_of_it);
 }
