@@ -125,7 +125,7 @@ typedef struct shift { int x, y; } shift;
 
 static shift shift_of(const settings *s, int x, int y, uint32_t k)
 {
-    const uint64_t bits = random_set(s->seed + k, 40, x, y);
+    const uint64_t bits = random_turn(random_set(s->seed, 40, x, y), k);
     const shift none = { 0, 0 }, some = { (int)(bits >> 8 & 15), (int)(bits >> 16 & 15) };
 
     return k > 0 ? some : none;

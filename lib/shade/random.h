@@ -30,6 +30,9 @@ static inline uint64_t random_set(uint32_t seed, uint32_t what, int x, int y)
     return mix_bits(key + (uint64_t)seed * 0xa0761d6478bd642fu + 1) | 1;
 }
 
+/* 64 bits for the k-th samples of a set. Those of a seed are no other seed's at another k. */
+static inline uint64_t random_turn(uint64_t set, uint32_t k) { return mix_bits(set + k * 0x9e3779b97f4a7c15u); }
+
 /* 64 bits that know nothing of those for other purposes. */
 static inline uint64_t random_bits(const sample_id *of, uint32_t purpose)
 {

@@ -59,12 +59,26 @@ static void points_of_two_purposes_know_nothing_of_each_other(void **state)
         assert_float_equal(sum[k] / PIXELS, 0.25, 5.0 * sqrt(7.0 / 144.0 / PIXELS));
 }
 
+static void the_turns_of_a_set_are_those_of_no_other_seed(void **state)
+{
+    enum { SEEDS = 8, TURNS = 32, ALL = SEEDS * TURNS };
+    uint64_t bits[ALL];
+
+    (void)state;
+    for (uint32_t i = 0; i < ALL; i++) {
+        bits[i] = random_turn(random_set(i / TURNS, 40, 16, 32), i % TURNS) & 0xffffffff;
+        for (uint32_t k = 0; k < i; k++)
+            assert_true(bits[k] != bits[i]);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(the_points_of_a_half_fill_the_square),
         cmocka_unit_test(other_pixels_halves_and_purposes_have_other_points),
         cmocka_unit_test(points_of_two_purposes_know_nothing_of_each_other),
+        cmocka_unit_test(the_turns_of_a_set_are_those_of_no_other_seed),
     };
 
     return cmocka_run_group_tests_name("random numbers of paths", tests, NULL, NULL);
