@@ -68,7 +68,7 @@ value parse_part(pov_reader *in, value_kind kind, const void *part, size_t bytes
 void parse_object(pov_reader *in);
 /* An object is next: a statement, or the name of one. False: none is. */
 bool parse_object_try(pov_reader *in, object_parsed *out);
-bool parse_object_follows(const pov_reader *in);
+bool parse_object_follows(pov_reader *in);
 /* An object of which nothing has been read. */
 void parse_object_begin(pov_reader *in, object_parsed *o);
 /* Its modifiers, up to the end, which is not taken; `pigment { color rgbft C }`; `matrix M`, false: it has no inverse, or

@@ -468,9 +468,15 @@ static void read_wrapped(pov_reader *in, object_parsed *o)
     items_close(in, &b, &modifiers, o);
 }
 
-bool parse_object_follows(const pov_reader *in)
+/* A word of a plugin that no object of the scene has had yet. */
+static bool is_new_shape(pov_reader *in, symbol *word)
 {
-    const symbol *word = in->token.symbol;
+    return word->id == KEYWORD_OTHER && !word->binding && !word->intrinsic && parse_shape_class(in, word);
+}
+
+bool parse_object_follows(pov_reader *in)
+{
+    symbol *word = in->token.symbol;
 
     if (in->token.kind != TOKEN_WORD)
         return false;
@@ -479,7 +485,7 @@ bool parse_object_follows(const pov_reader *in)
     case KEYWORD_DIFFERENCE: case KEYWORD_LIGHT_SOURCE: case KEYWORD_LIGHT_GROUP:
         return true;
     default:
-        return (word->flags & KEYWORD_FLAG_SHAPE) || word->shape || named_object(in) || is_array_of_objects(in);
+        return (word->flags & KEYWORD_FLAG_SHAPE) || word->shape || named_object(in) || is_array_of_objects(in) || is_new_shape(in, word);
     }
 }
 

@@ -44,6 +44,13 @@ static void a_shape_takes_in_its_transformations(void **state)
     assert_width("ovus { .5, .25 }", 1.0);
 }
 
+/* No other object of the scene has had its plugin loaded. */
+static void a_shape_of_any_plugin_may_have_a_name(void **state)
+{
+    (void)state;
+    assert_value("#declare S = polynomial { 2, xyz(2,0,0): 1, xyz(0,2,0): 1, xyz(0,0,2): 1, xyz(0,0,0): -4 }", "inside(S, x)", 1.0);
+}
+
 static void each_transformation_of_a_group_moves_the_box_before_it(void **state)
 {
     (void)state;
@@ -95,6 +102,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_shape_takes_in_its_transformations),
+        cmocka_unit_test(a_shape_of_any_plugin_may_have_a_name),
         cmocka_unit_test(each_transformation_of_a_group_moves_the_box_before_it),
         cmocka_unit_test(what_is_clipped_away_is_not_met),
         cmocka_unit_test(a_point_is_inside_where_the_clips_are),
