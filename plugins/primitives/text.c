@@ -157,8 +157,8 @@ static void take_outline(reading *r)
 
     memset(g, 0, sizeof *g);
     g->axis = 2;
-    g->lo = pov_two_of(fmin(r->pen.z, r->pen.z + r->depth), 0.0);
-    g->hi = pov_two_of(fmax(r->pen.z, r->pen.z + r->depth), 0.0);
+    g->lo = pov_two_of(fmin(0.0, r->depth), 0.0);
+    g->hi = pov_two_of(fmax(0.0, r->depth), 0.0);
     r->outline = &g->outline;
     FT_Outline_Decompose(&r->face->glyph->outline, &functions, r);
     if (g->outline.count == 0)
@@ -185,8 +185,8 @@ static void set_line(reading *r, const char *string)
         if (before == 0)         /* the line begins at the edge of its first glyph */
             r->pen.x = -(double)r->face->glyph->metrics.horiBearingX * r->em;
         take_outline(r);
-        r->pen = pov_add(r->pen, r->offset);
-        r->pen.x += (double)r->face->glyph->metrics.horiAdvance * r->em;
+        r->pen.x += r->offset.x + (double)r->face->glyph->metrics.horiAdvance * r->em;
+        r->pen.y += r->offset.y;
         before = index;
     }
 }

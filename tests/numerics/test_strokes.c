@@ -292,6 +292,30 @@ static void text_has_its_crossings(void **state)
     kinds_keep_crossings(&kinds[3], rays);
 }
 
+/* The z of the offset that is added behind each glyph counts for nothing, as in POV-Ray. */
+static void glyphs_of_a_text_stand_in_one_plane(void **state)
+{
+    const shape_class *c = fake_reader_shape("text");
+    pov_reader *in = fake_reader_create();
+    static font one;
+    pov_box box;
+    void *self;
+
+    (void)state;
+    if (!c)
+        skip();
+    families_seed(3);
+    font_make(&one, U);
+    fake_reader_file(in, one.bytes, one.size);
+    fake_reader_text(in, "ttf font AAA 0.5 < 0.1 0.2 0.25 >");
+    self = fake_reader_parse(in, c);
+    assert_non_null(self);
+    assert_true(c->bounds(self, &box));
+    assert_true(fabs(box.lo.z) < 1e-9 && fabs(box.hi.z - 0.5) < 1e-9);
+    assert_true(box.hi.y - box.lo.y > 0.4);
+    fake_reader_destroy(in);
+}
+
 /* Its chord of 1e-4 came out as 4e-8: the least entry and the greatest exit were roots that noise hid. */
 static void a_ray_that_hardly_enters_a_sweep_keeps_its_chord(void **state)
 {
@@ -337,6 +361,7 @@ int main(int argc, char **argv)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_straight_sweep_has_its_crossings), cmocka_unit_test(a_cubic_sweep_has_its_crossings),
         cmocka_unit_test(a_sweep_along_a_b_spline_has_its_crossings), cmocka_unit_test(text_has_its_crossings),
+        cmocka_unit_test(glyphs_of_a_text_stand_in_one_plane),
         cmocka_unit_test(a_ray_that_hardly_enters_a_sweep_keeps_its_chord),
     };
     int failed;
