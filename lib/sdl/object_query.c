@@ -398,7 +398,7 @@ static bool group_bounds(pov_reader *in, const object_parsed *o, pov_box *out)
         }
         if (!is_finite && o->op != NODE_INTERSECTION)
             return false;
-        if (!is_finite)
+        if (!is_finite || (o->op == NODE_INTERSECTION && (member->flags & LEAF_INVERSE)))
             continue;
         if (!has_box)
             *out = box;
@@ -413,7 +413,7 @@ static bool group_bounds(pov_reader *in, const object_parsed *o, pov_box *out)
     return has_box;
 }
 
-bool object_bounds(pov_reader *in, const object_parsed *o, pov_box *out)
+static bool own_bounds(pov_reader *in, const object_parsed *o, pov_box *out)
 {
     if (o->kind == OBJECT_LEAF)
         return leaf_bounds(in, o, out);
@@ -421,4 +421,30 @@ bool object_bounds(pov_reader *in, const object_parsed *o, pov_box *out)
         return false;
     move_box(in, o->map, out);
     return true;
+}
+
+/* By what clips the object, or by its bounds; of its transformations only those behind one of these move that one. */
+static bool narrow(pov_reader *in, const object_parsed *o, const object_parsed *by, bool has_box, pov_box *out)
+{
+    for (; by; by = by->next) {
+        object_parsed moved = *by;
+        pov_box box;
+
+        parse_append_transforms(in, &moved.map, o->map, by->since);
+        if ((by->flags & LEAF_INVERSE) || !object_bounds(in, &moved, &box))
+            continue;
+        if (has_box)
+            clip(out, &box);
+        else
+            *out = box;
+        has_box = true;
+    }
+    return has_box;
+}
+
+bool object_bounds(pov_reader *in, const object_parsed *o, pov_box *out)
+{
+    const bool has_box = narrow(in, o, o->clips, own_bounds(in, o, out), out);
+
+    return narrow(in, o, o->bounds, has_box, out);
 }

@@ -44,6 +44,17 @@ static void a_shape_takes_in_its_transformations(void **state)
     assert_width("ovus { .5, .25 }", 1.0);
 }
 
+static void what_clips_or_bounds_an_object_narrows_its_box(void **state)
+{
+    (void)state;
+    assert_width("quadric { <1,-1,1>, 0, 0, -1 clipped_by { sphere { 0, 2 } } rotate 45*y }", 4.0);
+    assert_width("plane { y, 0 bounded_by { box { -1, 1 } } rotate 45*y }", sqrt(8.0));
+    assert_width("plane { y, 0 rotate 45*y clipped_by { box { -1, 1 } } }", 2.0);
+    assert_width("sphere { 0, 1 clipped_by { box { -.5, 2 } } }", 1.5);
+    assert_width("sphere { 0, 1 clipped_by { sphere { 0, .5 inverse } } }", 2.0);
+    assert_width("intersection { box { -1, 1 } sphere { 0, .5 inverse } }", 2.0);
+}
+
 /* No other object of the scene has had its plugin loaded. */
 static void a_shape_of_any_plugin_may_have_a_name(void **state)
 {
@@ -102,6 +113,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_shape_takes_in_its_transformations),
+        cmocka_unit_test(what_clips_or_bounds_an_object_narrows_its_box),
         cmocka_unit_test(a_shape_of_any_plugin_may_have_a_name),
         cmocka_unit_test(each_transformation_of_a_group_moves_the_box_before_it),
         cmocka_unit_test(what_is_clipped_away_is_not_met),
