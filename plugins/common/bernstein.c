@@ -57,6 +57,45 @@ double common_bernstein_noise(const double *b, int degree)
     }
 }
 
+static double value_of(const double *b, int degree, double u)
+{
+    double w[4] = { b[0], b[1], b[2], b[degree] };
+
+    for (int k = degree; k > 0; k--)
+        for (int i = 0; i < k; i++)
+            w[i] += (w[i + 1] - w[i]) * u;
+    return w[0];
+}
+
+/* Where the slope is zero, one or two places. */
+static void turning_points(const double *b, int degree, double u[2])
+{
+    const double first = b[1] - b[0], second = b[2] - b[1], third = b[degree] - b[2];
+    const double bent = degree == 3 ? first - 2.0 * second + third : 0.0, half = degree == 3 ? second - first : 0.5 * (second - first);
+    const double square = half * half - bent * first, q = -(half + copysign(sqrt(fmax(square, 0.0)), half));
+
+    u[0] = first / q;
+    u[1] = q / bent;
+}
+
+void common_bernstein_widen(const double *b, int degree, double *lo, double *hi)
+{
+    const double least = fmin(b[0], b[degree]), most = fmax(b[0], b[degree]), noise = 0x1p-48 * largest_of(b, degree);
+    double u[2];
+
+    *lo = fmin(*lo, least);
+    *hi = fmax(*hi, most);
+    if (degree < 2 || (fmin(b[1], b[degree - 1]) >= least && fmax(b[1], b[degree - 1]) <= most))
+        return;
+    turning_points(b, degree, u);
+    for (int i = 0; i < 2; i++) {
+        if (!(u[i] > 0.0 && u[i] < 1.0))
+            continue;
+        *lo = fmin(*lo, value_of(b, degree, u[i]) - noise);
+        *hi = fmax(*hi, value_of(b, degree, u[i]) + noise);
+    }
+}
+
 /* From both ends, each up to where its own steps lose nothing. */
 void common_bernstein_divide(const double *b, int degree, double at, double *q)
 {

@@ -16,6 +16,8 @@ enum { COMMON_BERNSTEIN_MAX = 36 };
 void common_bernstein(const double *a, int degree, double *b);
 /* What rounding alone makes of such coefficients. */
 double common_bernstein_noise(const double *b, int degree);
+/* Widens a range by the values on 0..1, of a degree of 3 at most: to within a rounding of them, and not below their ends. */
+void common_bernstein_widen(const double *b, int degree, double *lo, double *hi);
 /* b(u) = (u - at) q(u) for a known root: q, of a degree less. */
 void common_bernstein_divide(const double *b, int degree, double at, double *q);
 /* Roots in growing order, at most `degree` of them. Returns how many. */

@@ -28,13 +28,10 @@ void common_outline_bound(common_outline *o)
 {
     o->lo[0] = o->lo[1] = HUGE_VAL;
     o->hi[0] = o->hi[1] = -HUGE_VAL;
-    for (uint32_t i = 0; i < o->count; i++)
-        for (uint32_t k = 0; k <= o->at[i].degree; k++) {
-            o->lo[0] = fmin(o->lo[0], o->at[i].x[k]);
-            o->hi[0] = fmax(o->hi[0], o->at[i].x[k]);
-            o->lo[1] = fmin(o->lo[1], o->at[i].y[k]);
-            o->hi[1] = fmax(o->hi[1], o->at[i].y[k]);
-        }
+    for (uint32_t i = 0; i < o->count; i++) {
+        common_bernstein_widen(o->at[i].x, (int)o->at[i].degree, &o->lo[0], &o->hi[0]);
+        common_bernstein_widen(o->at[i].y, (int)o->at[i].degree, &o->lo[1], &o->hi[1]);
+    }
 }
 
 void common_outline_place(common_outline *o, const double middle[2], double scale)

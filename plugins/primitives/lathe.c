@@ -55,6 +55,7 @@ static void make_part(part *p, const common_piece *c)
 {
     const int n = (int)c->degree;
     static const double ones[4] = { 1.0, 1.0, 1.0, 1.0 };
+    double least = HUGE_VAL, most = -HUGE_VAL;
 
     p->curve = *c;
     p->order = 2 * n;
@@ -63,11 +64,9 @@ static void make_part(part *p, const common_piece *c)
     multiply(n, c->x, c->x, p->r_square);
     p->low = HUGE_VAL;
     p->high = -HUGE_VAL;
-    for (int i = 0; i <= n; i++) {
-        p->low = fmin(p->low, c->y[i]);
-        p->high = fmax(p->high, c->y[i]);
-        p->widest = fmax(p->widest, c->x[i] * c->x[i]);
-    }
+    common_bernstein_widen(c->y, n, &p->low, &p->high);
+    common_bernstein_widen(c->x, n, &least, &most);
+    p->widest = fmax(least * least, most * most);
     /* What both pieces at a joint have, in the same bits. */
     p->y[0] = c->y[0];
     p->y[2 * n] = c->y[n];

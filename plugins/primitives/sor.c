@@ -24,7 +24,8 @@ typedef struct sor {
 /* Caps are features beyond the pieces. */
 enum { LOW_CAP = 0x7ffffffe, HIGH_CAP = 0x7fffffff };
 
-static const double NEAR = 0x1p-30;
+/* The box is by so much wider: on its sides no ray meets the surface. */
+static const double NEAR = 0x1p-30, BESIDE = 1.0 + 0x1p-32;
 
 /* ---- loading ---- */
 
@@ -45,6 +46,7 @@ static bool is_usable(const double (*p)[2], uint32_t n)
 static void make_piece(const sor *s, piece *out, const double (*p)[2], uint32_t i)
 {
     const double length = (p[i + 1][1] - p[i][1]) / 3.0, area = s->boxed.scale * s->boxed.scale;
+    double least = HUGE_VAL;
 
     out->low = (p[i][1] - s->boxed.anchor.y.hi) * s->boxed.scale;
     out->high = (p[i + 1][1] - s->boxed.anchor.y.hi) * s->boxed.scale;
@@ -52,7 +54,8 @@ static void make_piece(const sor *s, piece *out, const double (*p)[2], uint32_t 
     out->square[3] = p[i + 1][0] * p[i + 1][0] * area;
     out->square[1] = out->square[0] + slope_at(p, i) * length * area;
     out->square[2] = out->square[3] - slope_at(p, i + 1) * length * area;
-    out->widest = fmax(fmax(out->square[0], out->square[1]), fmax(out->square[2], out->square[3]));
+    out->widest = 0.0;
+    common_bernstein_widen(out->square, 3, &least, &out->widest);
 }
 
 static void make(sor *s, const pov_host *host, pov_reader *in, const double (*p)[2], uint32_t n)
@@ -69,10 +72,9 @@ static void make(sor *s, const pov_host *host, pov_reader *in, const double (*p)
     for (int turn = 0; turn < 2; turn++) {
         for (uint32_t i = 0; i < s->count; i++) {
             make_piece(s, &s->at[i], p, i + 1);
-            for (int k = 0; k < 4; k++)
-                wide = fmax(wide, s->at[i].square[k]);
+            wide = fmax(wide, s->at[i].widest);
         }
-        s->wide = sqrt(wide) * (1.0 + 0x1p-50);
+        s->wide = sqrt(wide) * BESIDE;
         if (turn == 0)
             s->boxed.scale = pov_inverse_power(fmax(s->wide, high - low));
         wide = 0.0;

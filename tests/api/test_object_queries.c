@@ -55,6 +55,15 @@ static void what_clips_or_bounds_an_object_narrows_its_box(void **state)
     assert_width("intersection { box { -1, 1 } sphere { 0, .5 inverse } }", 2.0);
 }
 
+/* Not that of the points that steer the curve. */
+static void the_box_of_a_curve_is_its_own(void **state)
+{
+    (void)state;
+    assert_width("lathe { quadratic_spline 3, <0,-1>, <1,0>, <1,1> }", 2.25);
+    assert_width("prism { bezier_spline 0, 1, 8, <0,0>, <2,0>, <2,1>, <0,1>, <0,1>, <0,.7>, <0,.3>, <0,0> }", 1.5);
+    assert_width("sor { 4, <0,-1>, <1,0>, <1,1>, <0,2> }", 2.0 * sqrt(1.25));
+}
+
 /* No other object of the scene has had its plugin loaded. */
 static void a_shape_of_any_plugin_may_have_a_name(void **state)
 {
@@ -114,6 +123,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_shape_takes_in_its_transformations),
         cmocka_unit_test(what_clips_or_bounds_an_object_narrows_its_box),
+        cmocka_unit_test(the_box_of_a_curve_is_its_own),
         cmocka_unit_test(a_shape_of_any_plugin_may_have_a_name),
         cmocka_unit_test(each_transformation_of_a_group_moves_the_box_before_it),
         cmocka_unit_test(what_is_clipped_away_is_not_met),
