@@ -126,12 +126,12 @@ static bool read_pattern(pov_reader *in, pigment_reading *r)
 static const pigment grey[] = { { { 0.0f, 0.0f, 0.0f }, 0.0f, 0.0f }, { { 1.0f, 1.0f, 1.0f }, 0.0f, 0.0f } };
 static const float grey_values[] = { 0.0f, 1.0f };
 
-static void use_default_map(pov_reader *in, const pattern_class *class, map_parsed *map)
+static void use_default_map(pov_reader *in, const pattern_class *class, const void *self, map_parsed *map)
 {
     enum { ENTRIES = 16 };
     pigment colours[ENTRIES];
     float values[ENTRIES];
-    uint32_t count = class->map_count;
+    uint32_t count = class->has_map && !class->has_map(self) ? 0 : class->map_count;
 
     for (uint32_t i = 0; i < count; i++) {
         values[i] = class->map[i].value;
@@ -203,7 +203,7 @@ static const pigment_node *make_varying(pov_reader *in, pigment_reading *r)
         return textures_pigment(in, &node);
     }
     if (r->map.kind == VALUE_NOTHING)
-        use_default_map(in, class, &r->map);
+        use_default_map(in, class, r->pattern.self.bytes, &r->map);
     if (class->count == 0 && !r->map.values && !in->failed)
         number_map(in, &r->map);
     if (is_average && r->map.kind == VALUE_COLOUR_MAP && !in->failed)

@@ -95,12 +95,12 @@ static double component(int32_t type, complex_number z)
     }
 }
 
+/* In type 6 the factor is of the imaginary part alone, as POV-Ray has it. */
 static double inside_value(const fractal *f, complex_number z, double least)
 {
-    const double v = f->interior == 0 ? 1.0 : f->interior == 1 ? sqrt(least) : f->interior == 6 ? square_of(z)
-                   : component(f->interior, z);
-
-    return v * f->interior_factor;
+    if (f->interior == 6)
+        return z.re * z.re + z.im * z.im * f->interior_factor;
+    return (f->interior == 0 ? 1.0 : f->interior == 1 ? sqrt(least) : component(f->interior, z)) * f->interior_factor;
 }
 
 /* The ratio of steps has no factor. */
@@ -187,12 +187,20 @@ static const colour_entry map[] = {
     { 1.0f, { .color = { 0.0f, 1.0f, 1.0f } } },
 };
 
-/* Of the others the values are shades of grey. */
+/* Of the others, and of other exponents, the values are shades of grey. */
+static bool has_map(const void *self)
+{
+    const fractal *f = self;
+
+    return f->exponent == 2;
+}
+
 #define FRACTAL(name, own, usual_self, check_it, own_map, own_count) \
     const pattern_class pattern_##name = { \
         .keyword = #name, \
         .map = own_map, \
         .map_count = own_count, \
+        .has_map = has_map, \
         .self_size = sizeof(fractal), \
         .self = usual_self, \
         .words = own, \

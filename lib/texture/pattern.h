@@ -66,6 +66,7 @@ typedef struct pattern_class {
     pigment list[PATTERN_LIST_MAX];   /* pigments of a list that are not given */
     const colour_entry *map;     /* the map where none is given; NULL: from black to white */
     uint32_t map_count;
+    bool (*has_map)(const void *self);   /* false: not this parsed form, whose map is from black to white; may be NULL */
     size_t self_size;            /* at most PATTERN_SELF_MAX */
     const void *self;            /* parsed form where nothing is given; NULL: zeros */
     const pattern_word *words;

@@ -91,7 +91,7 @@ static void every_pattern_has_its_measured_values(void **state)
 
     while (samples_next(file, &s))
         check_pattern(&s, 1e-12, &rows);
-    assert_int_equal(rows, 4962);
+    assert_int_equal(rows, 5034);
     fclose(file);
 }
 

@@ -50,6 +50,19 @@ static void a_list_replaces_the_colours_that_it_gives(void **state)
     reading_end(&r);
 }
 
+/* The colours of the map of `mandel` are for squares. */
+static void a_mandel_of_another_exponent_is_grey(void **state)
+{
+    reading r;
+
+    (void)state;
+    read_text(&r, "#version 3.7; sphere { 0, 1 pigment { mandel 20 exponent 3 exponent 2 } } sphere { 0, 1 pigment { mandel 20 exponent 3 } }");
+    assert_int_equal(material_of(&r, 0)->texture->pigment->count, 7);
+    assert_int_equal(material_of(&r, 1)->texture->pigment->count, 2);
+    assert_true(material_of(&r, 1)->texture->pigment->colours[1].color.r == 1.0f);
+    reading_end(&r);
+}
+
 static void transformations_of_a_pigment_and_of_its_texture_move_it(void **state)
 {
     inverse_map space;
@@ -138,6 +151,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_list_replaces_the_colours_that_it_gives),
+        cmocka_unit_test(a_mandel_of_another_exponent_is_grey),
         cmocka_unit_test(transformations_of_a_pigment_and_of_its_texture_move_it),
         cmocka_unit_test(transformations_of_an_object_move_the_texture_that_stands_before_them),
         cmocka_unit_test(members_of_unions_stand_in_the_space_that_their_texture_was_written_in),
