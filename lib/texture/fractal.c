@@ -35,6 +35,8 @@ static inline complex_number quotient(complex_number a, complex_number b)
 
 /* ---- one step ---- */
 
+static inline complex_number square_step(complex_number z, complex_number c) { return add(times(z, z), c); }
+
 static complex_number power_step(const fractal *f, complex_number z, complex_number c)
 {
     complex_number power = times(z, z);
@@ -44,7 +46,7 @@ static complex_number power_step(const fractal *f, complex_number z, complex_num
     return add(power, c);
 }
 
-static complex_number magnet_step1(complex_number z, complex_number c)
+static inline complex_number magnet_step1(complex_number z, complex_number c)
 {
     const complex_number q = quotient(add(times(z, z), complex_of(c.re - 1.0, c.im)),
                                       add(scaled(z, 2.0), complex_of(c.re - 2.0, c.im)));
@@ -52,7 +54,7 @@ static complex_number magnet_step1(complex_number z, complex_number c)
     return times(q, q);
 }
 
-static complex_number magnet_step2(complex_number z, complex_number c)
+static inline complex_number magnet_step2(complex_number z, complex_number c)
 {
     const complex_number c1 = complex_of(c.re - 1.0, c.im), c2 = complex_of(c.re - 2.0, c.im), both = times(c1, c2);
     const complex_number square = times(z, z);
@@ -68,13 +70,12 @@ static complex_number step(const fractal *f, complex_number z, complex_number c)
     return f->kind == 0 ? power_step(f, z, c) : f->kind == 1 ? magnet_step1(z, c) : magnet_step2(z, c);
 }
 
-static bool has_escaped(const fractal *f, complex_number z)
-{
-    const double square = square_of(z);
+static inline bool has_escaped(complex_number z) { return square_of(z) > 4.0; }
 
-    if (f->kind == 0)
-        return square > 4.0;
-    return square > 1e4 || square_of(complex_of(z.re - 1.0, z.im)) < 1e-4;
+/* Of a magnet: it has escaped, or comes to rest at 1. */
+static inline bool is_fixed(complex_number z)
+{
+    return (square_of(z) > 1e4) | (square_of(complex_of(z.re - 1.0, z.im)) < 1e-4);
 }
 
 /* ---- the value ---- */
@@ -111,28 +112,171 @@ static double outside_value(const fractal *f, complex_number z, int32_t steps, i
     return (f->exterior == 0 ? 1.0 : f->exterior == 6 ? sqrt(square_of(z)) : component(f->exterior, z)) * f->exterior_factor;
 }
 
-/* The start counts among the smallest, but for the 0 that a magnet's mandel begins with. */
-static double value_of(const fractal *f, double x, double y)
-{
-    const bool has_c = f->julia_limit > 0;
-    const int32_t limit = has_c ? f->julia_limit : f->limit;
-    const complex_number at = complex_of(x, y), c = has_c ? complex_of(f->c[0], f->c[1]) : at;
-    complex_number z = f->kind != 0 && !has_c ? complex_of(0.0, 0.0) : at;
-    double least = f->kind != 0 && !has_c ? HUGE_VAL : square_of(z);
+/* ---- sequences side by side ---- */
 
-    for (int32_t k = 0; k < limit; k++) {
-        z = step(f, z, c);
-        if (has_escaped(f, z))
-            return outside_value(f, z, k, limit);
-        least = square_of(z) < least ? square_of(z) : least;
+enum { LANES = 32, STRIDE = 8 };
+
+/* What a step needs of others comes from the step before, so several sequences take each step together. One that has ended stays
+ * where it is until the end of a stride, and the next point takes its lane. */
+typedef struct sequences {
+    double re[LANES], im[LANES], c_re[LANES], c_im[LANES], least[LANES];
+    int64_t steps[LANES], live[LANES];   /* that did not escape; all bits or none */
+    int64_t limit;
+    uint32_t point[LANES], count;
+} sequences;
+
+/* The start counts among the smallest, but for the 0 that a magnet's mandel begins with. */
+static void begin(const fractal *f, sequences *s, uint32_t l, double x, double y)
+{
+    const bool has_c = f->julia_limit > 0, from_zero = f->kind != 0 && !has_c;
+    const complex_number z = from_zero ? complex_of(0.0, 0.0) : complex_of(x, y);
+
+    s->re[l] = z.re;
+    s->im[l] = z.im;
+    s->c_re[l] = has_c ? f->c[0] : x;
+    s->c_im[l] = has_c ? f->c[1] : y;
+    s->least[l] = from_zero ? HUGE_VAL : square_of(z);
+    s->steps[l] = 0;
+    s->live[l] = s->limit > 0 ? -1 : 0;
+}
+
+static inline complex_number at_of(const sequences *s, uint32_t l) { return complex_of(s->re[l], s->im[l]); }
+static inline complex_number c_of(const sequences *s, uint32_t l) { return complex_of(s->c_re[l], s->c_im[l]); }
+
+static inline void advance(sequences *s, uint32_t l, complex_number next, bool escapes)
+{
+    const int64_t live = s->live[l], stays = live & ~-(int64_t)escapes;
+    const double square = square_of(next), least = square < s->least[l] ? square : s->least[l];
+
+    s->re[l] = live ? next.re : s->re[l];
+    s->im[l] = live ? next.im : s->im[l];
+    s->least[l] = stays ? least : s->least[l];
+    s->steps[l] -= stays;
+    s->live[l] = s->steps[l] < s->limit ? stays : 0;
+}
+
+static void square_steps(sequences *s, uint32_t n)
+{
+    for (uint32_t l = 0; l < n; l++) {
+        const complex_number next = square_step(at_of(s, l), c_of(s, l));
+
+        advance(s, l, next, has_escaped(next));
     }
-    return inside_value(f, z, least);
+}
+
+static void power_steps(const fractal *f, sequences *s, uint32_t n)
+{
+    double re[LANES], im[LANES];
+
+    for (uint32_t l = 0; l < n; l++) {
+        re[l] = s->re[l];
+        im[l] = s->im[l];
+    }
+    for (int32_t k = 1; k < f->exponent; k++)
+        for (uint32_t l = 0; l < n; l++) {
+            const complex_number power = times(complex_of(re[l], im[l]), at_of(s, l));
+
+            re[l] = power.re;
+            im[l] = power.im;
+        }
+    for (uint32_t l = 0; l < n; l++) {
+        const complex_number next = add(complex_of(re[l], im[l]), c_of(s, l));
+
+        advance(s, l, next, has_escaped(next));
+    }
+}
+
+static void magnet_steps1(sequences *s, uint32_t n)
+{
+    for (uint32_t l = 0; l < n; l++) {
+        const complex_number next = magnet_step1(at_of(s, l), c_of(s, l));
+
+        advance(s, l, next, is_fixed(next));
+    }
+}
+
+static void magnet_steps2(sequences *s, uint32_t n)
+{
+    for (uint32_t l = 0; l < n; l++) {
+        const complex_number next = magnet_step2(at_of(s, l), c_of(s, l));
+
+        advance(s, l, next, is_fixed(next));
+    }
+}
+
+static void take_steps(const fractal *f, sequences *s)
+{
+    const uint32_t n = lanes_whole(s->count);
+
+    if (f->kind == 0 && f->exponent == 2)
+        square_steps(s, n);
+    else if (f->kind == 0)
+        power_steps(f, s, n);
+    else if (f->kind == 1)
+        magnet_steps1(s, n);
+    else
+        magnet_steps2(s, n);
+}
+
+/* A sequence that is the last takes its steps by itself. */
+static void end_alone(const fractal *f, sequences *s, uint32_t l)
+{
+    const complex_number c = c_of(s, l);
+    complex_number z = at_of(s, l);
+    double least = s->least[l];
+    int64_t k = s->steps[l];
+
+    for (bool escaped = false; s->live[l] && !escaped && k < s->limit; k += !escaped) {
+        z = step(f, z, c);
+        escaped = f->kind == 0 ? has_escaped(z) : is_fixed(z);
+        least = !escaped && square_of(z) < least ? square_of(z) : least;
+    }
+    s->re[l] = z.re;
+    s->im[l] = z.im;
+    s->least[l] = least;
+    s->steps[l] = k;
+    s->live[l] = 0;
+}
+
+static void move_lane(sequences *s, uint32_t from, uint32_t to)
+{
+    s->re[to] = s->re[from];
+    s->im[to] = s->im[from];
+    s->c_re[to] = s->c_re[from];
+    s->c_im[to] = s->c_im[from];
+    s->least[to] = s->least[from];
+    s->steps[to] = s->steps[from];
+    s->live[to] = s->live[from];
+    s->point[to] = s->point[from];
+}
+
+static double value_of(const fractal *f, const sequences *s, uint32_t l)
+{
+    return s->steps[l] < s->limit ? outside_value(f, at_of(s, l), (int32_t)s->steps[l], (int32_t)s->limit)
+                                  : inside_value(f, at_of(s, l), s->least[l]);
 }
 
 static void evaluate(const pattern_input *in, double *value)
 {
-    for (uint32_t i = 0; i < in->n; i++)
-        value[i] = value_of(in->of->self, in->at->x[i], in->at->y[i]);
+    const fractal *f = in->of->self;
+    sequences s = { .limit = f->julia_limit > 0 ? f->julia_limit : f->limit };
+
+    for (uint32_t next = 0; next < in->n || s.count > 0;) {
+        for (; s.count < LANES && next < in->n; next++, s.count++) {
+            s.point[s.count] = next;
+            begin(f, &s, s.count, in->at->x[next], in->at->y[next]);
+        }
+        if (s.count == 1)
+            end_alone(f, &s, 0);
+        for (int k = 0; s.count > 1 && k < STRIDE; k++)
+            take_steps(f, &s);
+        for (uint32_t l = s.count; l-- > 0;)
+            if (!s.live[l]) {
+                value[s.point[l]] = value_of(f, &s, l);
+                if (l < --s.count)
+                    move_lane(&s, s.count, l);
+            }
+    }
 }
 
 static const char *check(const void *self)
