@@ -39,11 +39,37 @@ void raygen_place(const raygen_places *p, int width, int height, uint32_t n, ray
     out->height = height;
 }
 
-sample raygen_spread(const pov_camera *camera, uint32_t seed, int x, int y, uint32_t k)
+SIMD_CLONES static void find_positions(uint32_t seed, uint32_t n, raygen_places *restrict p)
 {
-    const sample number = { k, 0.0 };
+    for (uint32_t i = 0; i < n; i++) {
+        const sample at = sample_at(seed, p->x[i], p->y[i], (int)(p->k[i] & 1u), p->k[i] / 2);
 
-    return camera->type == POV_CAMERA_MESH ? number : sample_on_lens(seed, x, y, (int)(k & 1u), k / 2);
+        p->dx[i] = at.x;
+        p->dy[i] = at.y;
+    }
+}
+
+void raygen_sample(uint32_t seed, uint32_t n, raygen_places *p) { find_positions(seed, n, p); }
+
+SIMD_CLONES static void find_lens(uint32_t seed, uint32_t n, const raygen_places *restrict p, raygen_screen *restrict out)
+{
+    for (uint32_t i = 0; i < n; i++) {
+        const sample at = sample_on_lens(seed, p->x[i], p->y[i], (int)(p->k[i] & 1u), p->k[i] / 2);
+
+        out->lens[0][i] = at.x;
+        out->lens[1][i] = at.y;
+    }
+}
+
+void raygen_spread(const pov_camera *camera, uint32_t seed, const raygen_places *p, uint32_t n, raygen_screen *out)
+{
+    if (camera->type == POV_CAMERA_MESH)
+        for (uint32_t i = 0; i < n; i++) {
+            out->lens[0][i] = p->k[i];
+            out->lens[1][i] = 0.0;
+        }
+    else
+        find_lens(seed, n, p, out);
 }
 
 static double length_of(pov_vec3 v) { return sqrt(pov_dot(v, v)); }

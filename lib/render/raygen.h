@@ -14,6 +14,7 @@ pov_ray raygen_ray(const pov_camera *camera, int width, int height, int x, int y
 enum { RAYGEN_MANY = WORLD_MANY };
 typedef struct raygen_places {
     int x[RAYGEN_MANY], y[RAYGEN_MANY];
+    uint32_t k[RAYGEN_MANY];     /* which sample of the pixel */
     double dx[RAYGEN_MANY], dy[RAYGEN_MANY];
 } raygen_places;
 
@@ -28,8 +29,10 @@ static inline bool raygen_has_lens(const pov_camera *c) { return c->lens_radius 
 /* Do samples of a pixel differ in more than their places in it? */
 static inline bool raygen_counts(const pov_camera *c) { return c->lens_radius > 0.0 || c->type == POV_CAMERA_MESH; }
 
-/* Where on the lens the k-th sample of a pixel starts; of a camera of meshes its number. */
-sample raygen_spread(const pov_camera *camera, uint32_t seed, int x, int y, uint32_t k);
+/* Positions within pixels for a seed. */
+void raygen_sample(uint32_t seed, uint32_t n, raygen_places *p);
+/* Where on the lens samples start; of a camera of meshes their numbers. */
+void raygen_spread(const pov_camera *camera, uint32_t seed, const raygen_places *p, uint32_t n, raygen_screen *out);
 
 /* From -1/2 to 1/2, symmetric bit for bit about the middle. */
 static inline double raygen_u(int x, double dx, int width) { return (((double)x - 0.5 * width) + dx) / width; }

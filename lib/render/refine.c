@@ -31,7 +31,6 @@ void refinement_free(refinement *r, const env *e)
 typedef struct packet {
     uint32_t count;
     raygen_places through;
-    double lens[2][BATCH_MAX];   /* if the camera has one: see raygen_screen */
     double *sums[BATCH_MAX];     /* the half of the pixel that the ray's colour is added to */
     double *alpha[BATCH_MAX];    /* the pixel's sum of alpha, if there is alpha */
     sample_id samples[BATCH_MAX];
@@ -48,9 +47,10 @@ static void trace_packet(worker *w, const settings *s, packet *c)
 
     if (c->count == 0)
         return;
+    raygen_sample(s->seed, c->count, &c->through);
     raygen_place(&c->through, s->width, s->height, c->count, &through);
     if (raygen_counts(&w->claim.camera))
-        memcpy(through.lens, c->lens, sizeof through.lens);
+        raygen_spread(&w->claim.camera, s->seed, &c->through, c->count, &through);
     known = raygen_cast(w->job->scene->model, &w->claim.camera, &through, c->count, c->rays);
     tracer_colors(w->tracer, c->rays, c->count, known, c->samples, seen, s->alpha ? alpha : NULL);
     meter_cells(w->meter, c->cells, c->count);
@@ -65,28 +65,18 @@ static void trace_packet(worker *w, const settings *s, packet *c)
     c->count = 0;
 }
 
-static void place_on_lens(packet *c, uint32_t n, sample at)
-{
-    c->lens[0][n] = at.x;
-    c->lens[1][n] = at.y;
-}
-
 /* The k-th sample of a pixel of a cell of the claimed tile. set: see random.h. */
 static void add_sample(worker *w, const settings *s, packet *c, int cell, int x, int y, uint32_t k, uint64_t set, uint32_t place)
 {
     const pov_rect tile = w->claim.rect;
     const int px = s->crop.x + tile.x + x, py = s->crop.y + tile.y + y;
-    const sample at = sample_at(s->seed, px, py, (int)(k & 1u), k / 2);
     double *pixel = w->refinement->halves + w->job->cells.sums * (y * tile.width + x);
     raygen_places *p = &c->through;
     uint32_t n = c->count++;
 
     p->x[n] = px;
     p->y[n] = py;
-    p->dx[n] = at.x;
-    p->dy[n] = at.y;
-    if (raygen_counts(&w->claim.camera))
-        place_on_lens(c, n, raygen_spread(&w->claim.camera, s->seed, px, py, k));
+    p->k[n] = k;
     if (w->job->scene->plan->random)
         c->samples[n] = sample_id_of(s->seed, px, py, k);
     c->samples[n].set = w->job->scene->plan->random ? set : 0;

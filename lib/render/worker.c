@@ -61,27 +61,35 @@ static void find_middles(middles *m, const settings *s, pov_rect tile)
         m->v[y] = raygen_v(s->crop.y + tile.y + y, 0.5, s->height);
 }
 
-/* Samples are the first ones of their pixels: their numbers, and their places on the lens. */
-static void number_samples(const worker *w, const settings *s, packet *c)
+/* Samples are the first ones of their pixels. */
+static void find_pixels(const worker *w, const settings *s, const packet *c, raygen_places *p)
 {
     const pov_rect tile = w->claim.rect;
-    const bool random = w->job->scene->plan->random, lens = raygen_counts(&w->claim.camera);
 
-    for (uint32_t i = 0; (random || lens) && i < c->count; i++) {
+    for (uint32_t i = 0; i < c->count; i++) {
         const int at = (int)(c->out[i] - w->pixels) / 4;
-        const int x = s->crop.x + tile.x + at % tile.width, y = s->crop.y + tile.y + at / tile.width;
 
-        if (random)
-            c->samples[i] = sample_id_of(s->seed, x, y, 0);
+        p->x[i] = s->crop.x + tile.x + at % tile.width;
+        p->y[i] = s->crop.y + tile.y + at / tile.width;
+        p->k[i] = 0;
+    }
+}
+
+/* The numbers of samples, and their places on the lens. */
+static void number_samples(const worker *w, const settings *s, packet *c)
+{
+    const bool random = w->job->scene->plan->random, lens = raygen_counts(&w->claim.camera);
+    raygen_places p;
+
+    if (random || lens)
+        find_pixels(w, s, c, &p);
+    for (uint32_t i = 0; random && i < c->count; i++) {
+        c->samples[i] = sample_id_of(s->seed, p.x[i], p.y[i], 0);
         c->samples[i].set = c->set;
         c->samples[i].place = i;
-        if (lens) {
-            const sample on_lens = raygen_spread(&w->claim.camera, s->seed, x, y, 0);
-
-            c->through.lens[0][i] = on_lens.x;
-            c->through.lens[1][i] = on_lens.y;
-        }
     }
+    if (lens)
+        raygen_spread(&w->claim.camera, s->seed, &p, c->count, &c->through);
 }
 
 static void trace_packet(worker *w, const settings *s, packet *c)
@@ -105,19 +113,10 @@ static void trace_packet(worker *w, const settings *s, packet *c)
 /* Positions of the rays within their pixels, if those are not the centres. */
 static void take_samples(worker *w, packet *c, const settings *s)
 {
-    const pov_rect tile = w->claim.rect;
     raygen_places p;
 
-    for (uint32_t i = 0; i < c->count; i++) {
-        const int at = (int)(c->out[i] - w->pixels) / 4;
-        sample in;
-
-        p.x[i] = s->crop.x + tile.x + at % tile.width;
-        p.y[i] = s->crop.y + tile.y + at / tile.width;
-        in = sample_at(s->seed, p.x[i], p.y[i], 0, 0);
-        p.dx[i] = in.x;
-        p.dy[i] = in.y;
-    }
+    find_pixels(w, s, c, &p);
+    raygen_sample(s->seed, c->count, &p);
     raygen_place(&p, s->width, s->height, c->count, &c->through);
 }
 
