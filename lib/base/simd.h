@@ -42,6 +42,13 @@
 #define SIMD_INLINE static inline
 #endif
 
+/* Before a loop over a few lanes, which is to become vectors and not first be unrolled. */
+#if defined(__GNUC__) && !defined(__clang__)
+#define SIMD_LOOP _Pragma("GCC unroll 1")
+#else
+#define SIMD_LOOP
+#endif
+
 /* A type or member that begins at a cache line, so that no vector load crosses two lines: that costs as much as two
  * loads. Allocate it with env_alloc_aligned(). */
 enum { SIMD_LINE = 64 };

@@ -16,7 +16,7 @@ pov_status query_context_create(query_context **out, const world *w, pov_error *
         return err_memory(err);
     k->env = w->env;
     for (i = 0; i < WORLD_MANY; i++) {
-        k->hit_buffers[i].csg = &k->csg;
+        k->hit_buffers[i].csg.scratch = &k->csg;
         k->hit_buffers[i].context = k;
     }
     if (w->scratch_bytes > 0)

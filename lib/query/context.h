@@ -6,7 +6,7 @@
 #include "world/internal.h"
 
 /* Buffer for the crossings of one light path: with transparent shapes, and with an opaque one. */
-typedef struct hit_buffer { csg_scratch *csg; query_context *context; pov_crossing *crossings; uint32_t capacity; pov_crossing blocking; } hit_buffer;
+typedef struct hit_buffer { csg_user csg; query_context *context; pov_crossing *crossings; uint32_t capacity; pov_crossing blocking; } hit_buffer;
 
 struct query_context {
     object_space_rays own;

@@ -43,6 +43,7 @@ static void defer(packet *p, const leaf_batch *r, const pov_candidate *m)
     d->batch = r;
     d->lane = m->lane;
     d->lo = m->lo;
+    d->note = m->note;
     p->deferred_lanes |= bit_of(i);
     SIMD_PREFETCH(leaf_batch_instance(r, m->lane));
 }
@@ -149,6 +150,7 @@ static uint64_t take_class(packet *p, const shape_class *shape, uint64_t left, p
         }
         hits = hits_of(p, i);
         hits->owner = d->batch->object[d->lane];
+        p->context->hit_buffers[p->of[i]].csg.note = d->note;
         pairs_put(out, leaf_batch_instance(d->batch, d->lane), ray, hits);
     }
     return others;

@@ -66,7 +66,7 @@ void packet_begin(packet *p, const world *w, query_context *k, const pov_ray *co
                   double end)
 {
     p->traversal.tree = &w->tree;
-    p->traversal.rays = p->rays;
+    p->traversal.rays = p->traversal.soa.rays = p->rays;
     p->traversal.in = NULL;
     p->traversal.lowered = 0;
     p->world = w;

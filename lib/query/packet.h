@@ -7,7 +7,7 @@
 #include "query/context.h"
 
 /* A deferred shape: a definite hit of a lane, at lo or later; the nearest of all hits is determined later. */
-typedef struct deferred { const leaf_batch *batch; uint32_t lane; double lo; } deferred;
+typedef struct deferred { const leaf_batch *batch; uint32_t lane, note; double lo; } deferred;   /* note: the candidate's */
 
 /* Most rays never need hits of their own, so these are initialised on demand. */
 typedef struct packet {

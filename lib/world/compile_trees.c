@@ -85,7 +85,8 @@ static void add_tree(compile_state *f, uint32_t which, uint16_t mark)
     f->roots[which].tree = t;
     f->tree_leaves[which] = leaf;
     f->objects_info[index] = info;
-    f->group[index] = mark;
+    f->group[index] = (uint16_t)(mark + (f->use_blocks && t->chords.all ? COMPILE_SHARES_LEAF - COMPILE_SINGLE : 0));
+    f->packed += f->use_blocks && t->chords.all;
     if (f->moved)
         f->moved[index] = NULL;
     if (t->empty)

@@ -256,4 +256,8 @@ const shape_class csg_class = {
     .bounds = bounds,
     .intersect = csg_intersect,
     .inside = csg_inside,
+    .block_size = sizeof(csg_block),
+    .block_pack = csg_pack,
+    .block_filter = csg_filter,
+    .cross_many = csg_cross_many,
 };

@@ -79,6 +79,7 @@ typedef struct csg_outline {
     uint32_t slabs, quadrics;    /* filled up to whole vectors */
     uint8_t first_slab[CSG_COLUMNS + 1];     /* by column: the first of its slabs, which stand one behind the other */
     uint32_t round;              /* columns, as bits: they have a quadric, in this order */
+    uint8_t quadric[CSG_COLUMNS];            /* by column: which */
     double numbers[];
 } csg_outline;
 
@@ -152,7 +153,7 @@ typedef struct csg_scratch {
     const struct coincident_set *from;   /* surfaces that the ray starts on, each of which copies name by itself; or NULL */
     bool failed;                 /* out of memory; stays so */
 } csg_scratch;
-typedef struct csg_user { csg_scratch *scratch; } csg_user;
+typedef struct csg_user { csg_scratch *scratch; uint32_t note; } csg_user;   /* note: see csg_cross_many() */
 
 /* The largest of some trees. */
 typedef struct csg_size { uint32_t nodes, members; } csg_size;
@@ -163,6 +164,12 @@ void csg_scratch_free(csg_scratch *s);
 /* The functions of the class. */
 void csg_intersect(const void *self, const pov_ray *ray, pov_hits *hits);
 bool csg_inside(const void *self, pov_vec3 point, pov_vec3 point_lo);
+/* Several rays of trees that have chords and stand in a block. Of a definite hit a candidate's note says which crossing it is:
+ * csg_cross_many() asks for that alone. */
+typedef struct csg_block { const csg_tree *tree[POV_BLOCK_MAX]; uint32_t count; } csg_block;
+bool csg_pack(void *block, const pov_frame *frame, const void *const *selves, uint32_t n);
+uint32_t csg_filter(const void *block, const uint32_t *owners, const pov_rays *rays, uint64_t lanes, pov_candidate *out);
+void csg_cross_many(const void *const *selves, const pov_ray *const *rays, pov_hits *const *hits, uint32_t n);
 /* The value of a node from those of its children. */
 int32_t csg_value(const csg_node *n, const csg_state *s);
 /* A member is entered or left: update `inside` and the nodes above it, up to the first whose value stays. */

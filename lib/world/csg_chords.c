@@ -212,18 +212,24 @@ static bool report_found(chord_search *s, const csg_first *f, pov_hits *hits)
     return true;
 }
 
+bool csg_chords_report(csg_traversal *w, const csg_first *f, pov_hits *hits)
+{
+    chord_search s;
+
+    begin(&s, w, hits);
+    return report_found(&s, f, hits);
+}
+
 /* False: open. */
 static bool is_found(csg_traversal *w, pov_hits *hits)
 {
-    chord_search s;
     csg_first first;
 
     switch (csg_outline_first(w->tree, w->ray, csg_outline_column(w), hits->tmax + hits->slack, &first)) {
     case CSG_NOTHING:
         return true;
     case CSG_CROSSED:
-        begin(&s, w, hits);
-        return report_found(&s, &first, hits);
+        return csg_chords_report(w, &first, hits);
     default:
         return false;
     }

@@ -1,23 +1,17 @@
 /* Where a ray crosses a tree first, about: the members' slabs and quadrics side by side, in doubles about the tree's middle, in
  * units of its size. Where two crossings, or a crossing and the ray's start, are nearer to each other than what roundings may
  * amount to, that stays open. docs/numerics.md ("Outlines") derives the constants. */
-#include "base/simd.h"
-#include "world/csg_traversal.h"
+#include "world/csg_outline.h"
 
 #include <string.h>
 
-enum { SLABS = 3 * CSG_COLUMNS, QUADRICS = CSG_COLUMNS, SLAB_NUMBERS = 5, QUADRIC_NUMBERS = 10, FOUR = 4 };
+enum { SLABS = 3 * CSG_COLUMNS, QUADRICS = CSG_COLUMNS, SLAB_NUMBERS = CSG_SLAB_NUMBERS, QUADRIC_NUMBERS = CSG_QUADRIC_NUMBERS, FOUR = CSG_FOUR };
 
 /* Numbers stand side by side by four slabs, or four quadrics; here is the first of one. */
-static double *numbers_of(double *numbers, uint32_t each, uint32_t i) { return numbers + i / FOUR * FOUR * each + i % FOUR; }
+static double *numbers_of(double *numbers, uint32_t each, uint32_t i) { return numbers + csg_number(each, i); }
 
-/* Lengths are in units of the tree's size. */
-static const double margin = CSG_OUTLINE_MARGIN;
-static const double farthest = 0x1p26;       /* rays from beyond, and trees as far from the origin, are left to others */
-static const double least_slope = 0x1p-22;   /* a ray along a slab crosses it far from the tree, */
-static const double least_height = 0x1p-17;  /* unless it runs this near to the slab's end */
+static const double margin = CSG_OUTLINE_MARGIN, farthest = CSG_FARTHEST;
 static const double most_cancelled = 0x1p12;
-static const double least_square = 0x1p-20, least_chord = 0x1p-22, least_miss = 0x1p-40;
 
 /* ---- making one ---- */
 
@@ -72,7 +66,7 @@ static bool add_slab(const pov_outline *c, int which, const own_map *map, double
     to[2 * FOUR] = n.z / length;
     to[3 * FOUR] = (c->lo[which] - shift) / length;
     to[4 * FOUR] = (c->hi[which] - shift) / length;
-    return length > 0.0 && to[4 * FOUR] - to[3 * FOUR] > least_height &&
+    return length > 0.0 && to[4 * FOUR] - to[3 * FOUR] > CSG_LEAST_HEIGHT &&
            (fabs(to[3 * FOUR]) < farthest || c->lo[which] == -HUGE_VAL) && fabs(to[4 * FOUR]) < farthest;
 }
 
@@ -130,6 +124,7 @@ static bool add_all(const csg_tree *t, const pov_outline *all, csg_outline *of)
                 return false;
         if (all[i].round) {
             of->round |= 1u << i;
+            of->quadric[i] = (uint8_t)q;
             if (!add_quadric(&all[i], &map, numbers_of(quadrics, QUADRIC_NUMBERS, q)))
                 return false;
             q++;
@@ -293,15 +288,11 @@ SIMD_INLINE void cross_slabs(const double *restrict number, pov_vec3 p, pov_vec3
                              double *restrict out, double *restrict open)
 {
     for (uint32_t i = 0; i < FOUR; i++) {
-        const double x = number[i], y = number[FOUR + i], z = number[2 * FOUR + i];
-        const double height = x * p.x + y * p.y + z * p.z, along = x * d.x + y * d.y + z * d.z, size = fabs(along);
-        const double slope = size > 1e-30 ? along : 1e-30, lo = number[3 * FOUR + i] - height, hi = number[4 * FOUR + i] - height;
-        const double inverse = 1.0 / slope, a = lo * inverse, b = hi * inverse;
-        const double nearest = fabs(lo) < fabs(hi) ? fabs(lo) : fabs(hi);
+        const csg_stretch s = csg_cross_slab(number + i, p, d, least);
 
-        in[i] = a < b ? a : b;
-        out[i] = a < b ? b : a;
-        open[i] = size < least_slope && nearest < least ? 1.0 : 0.0;
+        in[i] = s.in;
+        out[i] = s.out;
+        open[i] = s.open;
     }
 }
 
@@ -309,27 +300,18 @@ SIMD_INLINE void cross_quadrics(const double *restrict number, pov_vec3 p, pov_v
                                 double *restrict open, double *restrict square)
 {
     for (uint32_t i = 0; i < FOUR; i++) {
-        const double *of = number + i;
-        const double xx = of[0], yy = of[FOUR], zz = of[2 * FOUR], xy = of[3 * FOUR], xz = of[4 * FOUR], yz = of[5 * FOUR];
-        const double lx = of[6 * FOUR], ly = of[7 * FOUR], lz = of[8 * FOUR];
-        const double dx = xx * d.x + xy * d.y + xz * d.z, dy = xy * d.x + yy * d.y + yz * d.z, dz = xz * d.x + yz * d.y + zz * d.z;
-        const double px = xx * p.x + xy * p.y + xz * p.z, py = xy * p.x + yy * p.y + yz * p.z, pz = xz * p.x + yz * p.y + zz * p.z;
-        const double a = dx * d.x + dy * d.y + dz * d.z, b = dx * p.x + dy * p.y + dz * p.z + lx * d.x + ly * d.y + lz * d.z;
-        const double c = (px + 2.0 * lx) * p.x + (py + 2.0 * ly) * p.y + (pz + 2.0 * lz) * p.z + of[9 * FOUR];
-        const double within = b * b - a * c, root = sqrt(within > 0.0 ? within : 0.0), size = fabs(a);
-        const double inverse = 1.0 / (size > least_square ? size : 1.0), middle = (a > 0.0 ? -b : b) * inverse;
-        const double missed = within < -least_miss * from * from ? HUGE_VAL : 0.0;
+        const csg_stretch s = csg_cross_quadric(number + i, p, d, from);
 
-        in[i] = middle - root * inverse + missed;
-        out[i] = middle + root * inverse - missed;
-        open[i] = size > least_square && (root * size > least_chord * from || missed > 0.0) ? 0.0 : 1.0;
-        square[i] = a;
+        in[i] = s.in;
+        out[i] = s.out;
+        open[i] = s.open;
+        square[i] = s.square;
     }
 }
 
 SIMD_CLONES static void cross_all(const csg_outline *of, pov_vec3 p, pov_vec3 d, double from, stretches *restrict s)
 {
-    const double *quadrics = of->numbers + SLAB_NUMBERS * of->slabs, least = of->endless ? HUGE_VAL : least_height;
+    const double *quadrics = of->numbers + SLAB_NUMBERS * of->slabs, least = of->endless ? HUGE_VAL : CSG_LEAST_HEIGHT;
 
     for (uint32_t i = 0; i < of->slabs; i += FOUR)
         cross_slabs(of->numbers + SLAB_NUMBERS * i, p, d, least, s->in + i, s->out + i, s->open + i);

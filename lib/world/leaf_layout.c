@@ -348,6 +348,8 @@ static void fill_batch(leaf_layout *r, uint32_t slice, const bvh_frame *frame, c
         out->stride = g->stride;
     if (g->shares_leaf && pack(g->shape, frame, selves, count, out))
         out->flags |= LEAF_PACKED;
+    if (g->shares_leaf && g->shape == &csg_class)
+        out->plain = (uint8_t)leaf_batch_lanes(out);   /* a definite hit is one whatever members look like */
     if (!g->instanced && !g->shares_leaf && leaf_batch_may_filter(g->shape) && filter_single(r, frame, selves[0], out))
         out->flags |= LEAF_PACKED;
 }

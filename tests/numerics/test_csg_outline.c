@@ -1,6 +1,6 @@
-/* test_csg_outline.c - solids of few members, moved, turned and stretched: the first crossing that their outlines find against the walk
- * in double-double, which does not know them. Of convex members and complements of such, and of planes and quadrics too in unions,
- * intersections, differences and clips within each other. */
+/* test_csg_outline.c - solids of few members, moved, turned and stretched: the first crossing that their outlines find, for rays one by
+ * one and side by side, against the walk in double-double, which does not know them. Of convex members and complements of such, and of
+ * planes and quadrics too in unions, intersections, differences and clips within each other. */
 #include "query/context.h"   /* before probe.h, whose name for a kind it uses for a parameter */
 
 #include "numerics/families.h"
@@ -13,7 +13,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { MOST = 6, MEMBERS_MOST = 18, RAYS_OF_A_TREE = 200 };
+enum { MOST = 6, MEMBERS_MOST = 18, RAYS_OF_A_TREE = 400 };
 
 #define U families_uniform
 
@@ -26,8 +26,9 @@ typedef struct scene {
     const transform *map;        /* of most members: then faces of theirs lie on each other */
     bool endless;                /* planes and quadrics too */
     side filtered, exact;
+    struct kept { uint32_t count; pov_ray rays[WORLD_MANY]; hit truth[WORLD_MANY]; } kept[8];   /* by octant: asked one by one */
 } scene;
-typedef struct tally { long rays, hits, blocked; } tally;
+typedef struct tally { long rays, hits, blocked, together; } tally;
 
 static uint32_t below(uint32_t n) { return (uint32_t)(n * U()); }
 
@@ -214,6 +215,54 @@ static pov_ray new_ray(void)
     return ray;
 }
 
+/* Some of them side by side, each as by itself; and their light, up to the first one's hit or twice as far. */
+static void compare_together(const scene *s, const struct kept *of, uint32_t first, uint32_t n, tally *out)
+{
+    const double most = of->truth[first].object == POV_NO_OWNER ? 1.0 : (1.0 + below(2)) * of->truth[first].crossing.t;
+    const pov_ray *rays_of[WORLD_MANY];
+    hit hits[WORLD_MANY];
+    occlusion found;
+    uint64_t met, clear;
+
+    for (uint32_t i = 0; i < n; i++)
+        rays_of[i] = &of->rays[first + i];
+    met = query_nearest(s->filtered.world, s->filtered.context, rays_of, n, HUGE_VAL, hits);
+    for (uint32_t i = 0; i < n; i++) {
+        const hit *truth = &of->truth[first + i];
+
+        assert_int_equal(met >> i & 1, truth->object != POV_NO_OWNER);
+        if (!(met >> i & 1))
+            continue;
+        world_surface(s->filtered.world, rays_of[i], &hits[i]);
+        assert_int_equal(hits[i].object, truth->object);
+        assert_int_equal(hits[i].entering, truth->entering);
+        assert_true(hits[i].crossing.t == truth->crossing.t && hits[i].crossing.t_lo == truth->crossing.t_lo);
+        out->together++;
+    }
+    clear = query_occlusion(s->filtered.world, s->filtered.context, rays_of, n, most, &found);
+    for (uint32_t i = 0; i < n; i++) {
+        uint32_t owners[TEST_CROSSINGS], count;
+
+        assert_int_equal(clear >> i & 1, test_light(s->exact.world, s->exact.context, rays_of[i], most, owners, &count));
+    }
+}
+
+/* Keep a ray that was asked by itself, for others of its octant: they go as a packet. */
+static void keep(scene *s, const pov_ray *ray, const hit *h, bool met, tally *out)
+{
+    struct kept *of = &s->kept[bvh_octant(ray)];
+
+    of->rays[of->count] = *ray;
+    of->truth[of->count] = *h;
+    if (!met)
+        of->truth[of->count].object = POV_NO_OWNER;
+    if (++of->count < WORLD_MANY)
+        return;
+    compare_together(s, of, 0, WORLD_MANY, out);
+    compare_together(s, of, 20, 13, out);
+    of->count = 0;
+}
+
 /* Do both say the same? True: there is a hit. */
 static bool compare(const scene *s, const pov_ray *ray, hit *h, tally *out)
 {
@@ -241,13 +290,18 @@ static bool compare(const scene *s, const pov_ray *ray, hit *h, tally *out)
     return true;
 }
 
-static void ask(const scene *s, tally *out)
+static void ask(scene *s, tally *out)
 {
     for (int i = 0; i < RAYS_OF_A_TREE; i++) {
         pov_ray ray = new_ray();
         hit h;
 
-        for (int turn = 0; turn < 5 && compare(s, &ray, &h, out); turn++) {
+        for (int turn = 0; turn < 5; turn++) {
+            const bool met = compare(s, &ray, &h, out);
+
+            keep(s, &ray, &h, met, out);
+            if (!met)
+                break;
             ray.org = h.point;
             ray.org_lo = h.point_lo;
             ray.dir = turn % 2 ? families_direction() : ray.dir;
@@ -260,7 +314,7 @@ typedef void make_tree_fn(scene *s);
 
 static tally ask_all(make_tree_fn *make)
 {
-    tally all = { 0, 0, 0 };
+    tally all = { 0, 0, 0, 0 };
 
     families_seed(20261125);
     while (all.rays < rays) {
@@ -279,7 +333,7 @@ static tally ask_all(make_tree_fn *make)
         model_free(&s.model);
         fake_reader_destroy(s.in);
     }
-    print_message("%ld rays, %ld hits, %ld blocked\n", all.rays, all.hits, all.blocked);
+    print_message("%ld rays, %ld hits, %ld blocked; %ld hits of rays side by side\n", all.rays, all.hits, all.blocked, all.together);
     return all;
 }
 

@@ -261,7 +261,7 @@ static uint32_t wall_filter(const void *block, const uint32_t *owners, const pov
     for (uint32_t ray = 0; ray < POV_RAYS_MAX; ray++)
         for (uint32_t i = 0; (lanes >> ray & 1) && i < b->count; i++) {
             const double t = distance_to(&b->at[i], rays->org[2][ray], rays->dir[2][ray]);
-            const pov_candidate m = { t, t, (uint8_t)ray, (uint8_t)i, true, false };
+            const pov_candidate m = { t, t, (uint8_t)ray, (uint8_t)i, true, false, 0 };
 
             if (t > 0.0 && t < rays->tmax[ray])
                 out[n++] = m;

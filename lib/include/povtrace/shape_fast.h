@@ -34,6 +34,7 @@ typedef struct pov_rays {
         float smax[POV_RAYS_MAX];      /* of tmax, rounded up by less than 2^-21 of it and 2^-44 |shift| / unit */
         double shift[POV_RAYS_MAX], unit[POV_RAYS_MAX];
     } local;
+    const pov_ray *const *rays;        /* the host's, for what it filters itself */
 } pov_rays;
 
 /* A shape of a block that a ray may hit within its interval, with bounds on the nearest crossing there. Bounds may be
@@ -43,6 +44,7 @@ typedef struct pov_candidate {
     uint8_t ray, lane;           /* lanes of the rays, and of the block */
     bool definite;               /* a definite hit */
     bool definite_pair;          /* with exactly two crossings */
+    uint32_t note;               /* the host's, of what it filters itself */
 } pov_candidate;
 #define POV_CANDIDATES_MAX (POV_RAYS_MAX * POV_BLOCK_MAX)
 
