@@ -63,6 +63,8 @@ static bool open_font(reading *r, const char *name)
         r->host->fail(r->in, "%.100s is not a font with outlines", name);
         return false;
     }
+    if (!r->face->charmap && r->face->num_charmaps > 0 && FT_Select_Charmap(r->face, FT_ENCODING_MS_SYMBOL) != 0)
+        FT_Set_Charmap(r->face, r->face->charmaps[0]);
     r->em = 1.0 / (double)r->face->units_per_EM;
     return true;
 }
@@ -171,6 +173,7 @@ static void take_outline(reading *r)
 static void set_line(reading *r, const char *string)
 {
     FT_UInt before = 0;
+    bool is_first = true;
 
     r->rest = (const unsigned char *)string;
     r->out->glyph = r->host->alloc(r->in, (strlen(string) + 1) * sizeof *r->out->glyph);
@@ -182,12 +185,13 @@ static void set_line(reading *r, const char *string)
             continue;
         if (before != 0 && FT_Get_Kerning(r->face, before, index, FT_KERNING_UNSCALED, &kern) == 0)
             r->pen.x += (double)kern.x * r->em;
-        if (before == 0)         /* the line begins at the edge of its first glyph */
+        if (is_first)            /* the line begins at the edge of its first glyph */
             r->pen.x = -(double)r->face->glyph->metrics.horiBearingX * r->em;
         take_outline(r);
         r->pen.x += r->offset.x + (double)r->face->glyph->metrics.horiAdvance * r->em;
         r->pen.y += r->offset.y;
         before = index;
+        is_first = false;
     }
 }
 
