@@ -214,7 +214,8 @@ COMMON_INLINE double sum_at(const double *c, int degree, double u, double v)
 }
 
 /* Halley's method kept in the bracket, of which a step below SMALL leaves an error of its cube; where the curve bends much before the
- * root Newton's, of which a step below SMALLER leaves one of its square. */
+ * root Newton's, of which a step below SMALLER leaves one of its square. Where the slope is not the root's, another root is nearer,
+ * beyond the bracket. */
 COMMON_INLINE double polish_of(const weighted *w, int degree, const bracket *root)
 {
     static const double SMALL = 0x1p-24, SMALLER = 0x1p-30, BESIDE = 0x1p-40;
@@ -228,7 +229,7 @@ COMMON_INLINE double polish_of(const weighted *w, int degree, const bracket *roo
 
         hi = is_behind ? x : hi;
         lo = is_behind ? lo : x;
-        if (next >= lo - BESIDE && next <= hi + BESIDE)
+        if ((slope > 0.0) == root->rising && next >= lo - BESIDE && next <= hi + BESIDE)
             next = next < lo ? lo : next > hi ? hi : next;
         else
             next = 0.5 * (lo + hi);

@@ -174,17 +174,37 @@ static int exponent_of(double x)
     return e;
 }
 
-/* A length about as large as the roots are in the mean. */
-static double middle_size(const double *c, int degree)
+/* By its exponent, a length about as large as the roots are in the mean. */
+static int middle_size(const double *c, int degree)
 {
     int least = 0, e;
 
     while (least < degree && c[least] == 0.0)
         least++;
     if (least == degree)
-        return 1.0;
+        return 0;
     e = (exponent_of(c[least]) - exponent_of(c[degree])) / (degree - least);
-    return ldexp(1.0, e > 300 ? 300 : e < -300 ? -300 : e);
+    return e > 300 ? 300 : e < -300 ? -300 : e;
+}
+
+/* Where the highest powers hardly count among the other roots, theirs are much farther: the length is that of the others. So it is
+ * along a line that the surface comes near to at infinity. */
+static double near_size(const double *c, int degree)
+{
+    enum { NEGLIGIBLE = 20 };
+    int top = degree, size = middle_size(c, degree);
+
+    for (int next = degree - 1; next > 0; next--) {
+        const int smaller = middle_size(c, next);
+
+        if (c[next] == 0.0)
+            continue;
+        if (exponent_of(c[top]) + (top - next) * smaller + NEGLIGIBLE > exponent_of(c[next]))
+            break;
+        top = next;
+        size = smaller;
+    }
+    return ldexp(1.0, size);
 }
 
 typedef struct search { const common_ray *k; double base, start; bool from_here; pov_hits *hits; } search;
@@ -226,7 +246,7 @@ static void search_line(const search *s, const double *c, int degree)
         degree--;
     if (degree < 1)
         return;
-    size = middle_size(c, degree);
+    size = near_size(c, degree);
     if (s->start < 0.0 && !search_part(s, c, degree, -size, false))
         return;
     if (s->start < -size && !search_part(s, c, degree, -size, true))
