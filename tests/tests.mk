@@ -18,14 +18,15 @@ $(BUILD)/tests/$(1)%: $(BUILD)/obj/$(1)tests/%.o $(SUPPORT_SOURCES:%.c=$(BUILD)/
 	$$(call say,LINK,$$@) $$(CC) $$(LINK_FLAGS) $$(filter %.o,$$^) $$(filter %.a,$$^) -lcmocka $$(TEST_LIBS) $$(SYSTEM_LIBS) -o $$@
 
 $(BUILD)/tests/$(1)numerics/%: TEST_LIBS = -lmpfr -lgmp
-$(addprefix $(BUILD)/tests/$(1)numerics/test_,primitives leaving maps watertight csg csg_outline findings piecewise facets strokes): \
+$(addprefix $(BUILD)/tests/$(1)numerics/test_,primitives leaving maps watertight csg csg_outline findings piecewise facets strokes outlines): \
     $(patsubst %,$(BUILD)/obj/$(1)tests/numerics/%.o,real probe exact exact_torus families families_round) | $(PRIMITIVES)
 $(addprefix $(BUILD)/tests/$(1)numerics/test_,primitives leaving findings): $(BUILD)/obj/$(1)tests/numerics/leaving.o
 $(addprefix $(BUILD)/tests/$(1)numerics/test_,maps findings): $(BUILD)/obj/$(1)tests/numerics/real_map.o
 $(BUILD)/tests/$(1)numerics/test_findings: $(BUILD)/obj/$(1)tests/numerics/findings.o
 $(BUILD)/tests/$(1)numerics/test_primitives: $(BUILD)/obj/$(1)tests/numerics/harness.o
-$(addprefix $(BUILD)/tests/$(1)numerics/test_,piecewise strokes): $(patsubst %,$(BUILD)/obj/$(1)tests/numerics/%.o,piecewise kinds)
-$(BUILD)/tests/$(1)numerics/test_strokes: $(BUILD)/obj/$(1)tests/numerics/font.o
+$(addprefix $(BUILD)/tests/$(1)numerics/test_,piecewise strokes outlines): $(patsubst %,$(BUILD)/obj/$(1)tests/numerics/%.o,piecewise kinds)
+$(addprefix $(BUILD)/tests/$(1)numerics/test_,strokes outlines): $(BUILD)/obj/$(1)tests/numerics/spline_real.o
+$(BUILD)/tests/$(1)numerics/test_outlines: $(BUILD)/obj/$(1)tests/numerics/font.o
 $(BUILD)/tests/$(1)plugins/test_contract: $(CONTRACT_SOURCES:%.c=$(BUILD)/obj/$(1)%.o) | $(PRIMITIVES) $(OUT_OF_TREE)
 endef
 $(eval $(call TEST_RULES,))
@@ -57,7 +58,7 @@ EDGES ?= 100000000
 LEAVING ?= 1000000
 FINDINGS ?= 160000
 .PHONY: accuracy
-accuracy: $(addprefix $(BUILD)/tests/numerics/,test_primitives test_watertight test_leaving test_maps test_findings test_piecewise test_facets test_strokes) $(METHODS)
+accuracy: $(addprefix $(BUILD)/tests/numerics/,test_primitives test_watertight test_leaving test_maps test_findings test_piecewise test_facets test_strokes test_outlines) $(METHODS)
 	$(BUILD)/tests/numerics/test_primitives $(RAYS) $(BUILD)/accuracy.csv
 	$(BUILD)/tests/numerics/test_watertight $(EDGES)
 	$(BUILD)/tests/numerics/test_leaving $(LEAVING)
@@ -65,6 +66,7 @@ accuracy: $(addprefix $(BUILD)/tests/numerics/,test_primitives test_watertight t
 	$(BUILD)/tests/numerics/test_piecewise $(RAYS)
 	$(BUILD)/tests/numerics/test_facets $(RAYS)
 	$(BUILD)/tests/numerics/test_strokes $(RAYS)
+	$(BUILD)/tests/numerics/test_outlines $(RAYS)
 	$(BUILD)/tests/numerics/test_findings $(FINDINGS)
 	$(MAKE) --no-print-directory accuracy-report
 

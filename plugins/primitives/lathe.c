@@ -2,11 +2,14 @@
  *
  * Where the ray o + s d has the height y(u), its distance to the axis is to be |r(u)|. Multiplied by the square of d.y that
  * is a polynomial in u of the order 2, 4 or 6, without a division; its Bernstein coefficients are sums of three products.
- * Of a ray that hardly rises, the height alone gives u, and the radius gives both distances. */
+ * A ray that hardly rises can meet only those stretches of the curve that are at its height. There s is a polynomial in u without
+ * cancellation. Of a ray that rises less still, the height alone gives u, and the radius gives both distances. */
 #include "common/bernstein.h"
 #include "common/boxed.h"
 #include "common/curve.h"
 #include "common/turns.h"
+
+#include <string.h>
 
 enum { ORDER = 6 };
 
@@ -182,8 +185,9 @@ typedef struct line {
     double per_height, foot;     /* 1 / d.y; where it is nearest to the axis */
 } line;
 
-/* Rays that rise less than this are taken as level first. */
-static const double LEVEL = 0x1p-16, NEAR = 0x1p-30, BESIDE_START = 0x1p-10;
+/* Rays that rise less than this are level; less than that, stretches of the curve are cut out first, with BESIDE_BOX of the ray before
+ * and behind the box. */
+static const double LEVEL = 0x1p-26, SLOW = 0x1p-10, BESIDE_BOX = 0.25, NEAR = 0x1p-30, BESIDE_START = 0x1p-10;
 
 static void make_line(line *n, const common_ray *k, common_span span)
 {
@@ -277,6 +281,101 @@ static void cross_risen(const line *n, const part *p, uint32_t piece, const doub
     }
 }
 
+/* ---- of a ray that hardly rises ---- */
+
+/* The coefficients of a piece's stretch. */
+static void cut_out(const double *b, int degree, double from, double to, double *out)
+{
+    for (int k = 0; k <= degree; k++) {
+        double w[4];
+
+        memcpy(w, b, sizeof w);
+        for (int j = 0; j < degree; j++)
+            for (int i = 0; i < degree - j; i++)
+                w[i] += (w[i + 1] - w[i]) * (j < degree - k ? from : to);
+        out[k] = w[0];
+    }
+    out[degree] = to == 1.0 ? b[degree] : out[degree];
+}
+
+/* 0, where the curve has one of two heights, and 1; returns how many stretches that are. */
+static uint32_t find_cuts(const part *p, double low, double high, double cut[8])
+{
+    const int degree = (int)p->curve.degree;
+    const double levels[2] = { low, high };
+    uint32_t count = 1;
+
+    cut[0] = 0.0;
+    for (int level = 0; level < 2; level++) {
+        double b[4], root[3];
+        uint32_t found, at;
+
+        for (int k = 0; k <= degree; k++)
+            b[k] = p->curve.y[k] - levels[level];
+        found = common_bernstein_roots(b, degree, common_bernstein_noise(b, degree), root);
+        for (uint32_t i = 0; i < found; i++) {
+            for (at = count++; cut[at - 1] > root[i]; at--)
+                cut[at] = cut[at - 1];
+            cut[at] = root[i];
+        }
+    }
+    cut[count] = 1.0;
+    return count;
+}
+
+/* The equation over a stretch, with s for the height. Ends of pieces that touch have the same bits. Returns its noise. */
+static double stretch_equation(const line *n, const part *p, double from, double to, double *b)
+{
+    static const double ones[4] = { 1.0, 1.0, 1.0, 1.0 };
+    const int degree = (int)p->curve.degree;
+    double x[4], y[4], s[ORDER + 1], s_square[ORDER + 1], r_square[ORDER + 1], sum = 0.0;
+
+    cut_out(p->curve.x, degree, from, to, x);
+    cut_out(p->curve.y, degree, from, to, y);
+    for (int k = 0; k <= degree; k++)
+        y[k] = (y[k] - n->o.y) * n->per_height;
+    multiply(degree, y, ones, s);
+    multiply(degree, y, y, s_square);
+    multiply(degree, x, x, r_square);
+    for (int k = 0; k <= 2 * degree; k++) {
+        b[k] = n->a * s_square[k] + 2.0 * n->b * s[k] + (n->c - r_square[k]);
+        sum = greater(sum, n->a * fabs(s_square[k]) + 2.0 * fabs(n->b * s[k]) + fabs(n->c) + fabs(r_square[k]));
+    }
+    for (int end = 0; end <= degree; end += degree)
+        b[2 * end] = (n->a * y[end] + 2.0 * n->b) * y[end] + (n->c - x[end] * x[end]);
+    return 0x1p-50 * sum + 0x1p-53 * fabs(n->per_height);
+}
+
+static void cross_slow(const line *n, const part *p, uint32_t piece, const double *start, common_cross *out, uint32_t *count)
+{
+    const double one = n->o.y + n->d.y * (n->span.lo - BESIDE_BOX), other = n->o.y + n->d.y * (n->span.hi + BESIDE_BOX);
+    const double low = lesser(one, other), high = greater(one, other);
+    double cut[8], b[ORDER + 1], q[ORDER], root[ORDER], v[2], slope[2];
+    const uint32_t stretches = find_cuts(p, low, high, cut), room = *count + ORDER;
+
+    for (uint32_t k = 0; k < stretches; k++) {
+        const double from = cut[k], length = cut[k + 1] - from;
+        const bool has_start = start && *start >= from && *start <= cut[k + 1];
+        uint32_t found;
+        double noise;
+
+        common_piece_at(&p->curve, from + 0.5 * length, v, slope);
+        if (!(length > 0.0 && v[1] >= low && v[1] <= high))
+            continue;
+        noise = stretch_equation(n, p, from, cut[k + 1], b);
+        if (has_start)
+            common_bernstein_divide(b, p->order, (*start - from) / length, q);
+        found = has_start ? common_bernstein_roots(q, p->order - 1, p->order * noise, root) : common_bernstein_roots(b, p->order, noise, root);
+        for (uint32_t i = 0; i < found && *count < room; i++) {
+            common_cross at = { 0.0, from + length * root[i], piece };
+
+            common_piece_at(&p->curve, at.u, v, slope);
+            at.s = (v[1] - n->o.y) * n->per_height;
+            out[(*count)++] = at;
+        }
+    }
+}
+
 /* The other crossing at the height of the start is as far from the foot. */
 static void cross_level(const line *n, const part *p, uint32_t piece, const double *start, common_cross *out, uint32_t *count)
 {
@@ -345,7 +444,7 @@ static void cross(const void *self, const pov_ray *ray, const common_entry *e, p
         const part *p = &l->parts[i];
 
         if (may_cross(&n, p))
-            (fabs(n.d.y) < LEVEL ? cross_level : cross_risen)(&n, p, i, i == origin ? &ray->origin_mark.u : NULL, at, &count);
+            (fabs(n.d.y) < LEVEL ? cross_level : fabs(n.d.y) < SLOW ? cross_slow : cross_risen)(&n, p, i, i == origin ? &ray->origin_mark.u : NULL, at, &count);
     }
     if (count > 1 && hits->want != POV_WANT_ALL && ray->origin_surface != hits->owner)
         count = keep_first(&n, &e->k, hits, at, count);

@@ -25,11 +25,35 @@ void kinds_collect(const poly_real *p, real from, real to, answer *out)
 
 /* ---- rays ---- */
 
-static double distance(void) { return U() < 0.7 ? between(3.0, 6.0) : log_between(1.0, 6.0); }
+/* Some start within the shape, or near it. */
+static double distance(void)
+{
+    const double u = U();
+
+    return u < 0.2 ? between(0.0, 2.0) : u < 0.7 ? between(3.0, 6.0) : log_between(1.0, 6.0);
+}
+
+/* Some are nearly across an axis. */
+static pov_vec3 direction(void)
+{
+    pov_vec3 d = families_direction();
+
+    if (U() < 0.1)
+        d.y *= log_between(-8.0, -1.0);
+    return pov_unit(d);
+}
+
+/* Along a surface, for some nearly across an axis, too. */
+static pov_vec3 direction_along(pov_vec3 normal)
+{
+    const pov_vec3 d = across(normal), level = pov_cross_product(normal, pov_vec3_of(0.0, 1.0, 0.0));
+
+    return U() < 0.2 && pov_largest(level) > 0.0 ? pov_unit(pov_add(pov_unit(level), pov_scale(d, log_between(-8.0, -1.0)))) : d;
+}
 
 static pov_ray any_ray(void)
 {
-    const pov_vec3 d = families_direction(), to = pov_vec3_of(between(-1.0, 1.0), between(-1.5, 1.5), between(-1.0, 1.0));
+    const pov_vec3 d = direction(), to = pov_vec3_of(between(-1.0, 1.0), between(-1.5, 1.5), between(-1.0, 1.0));
 
     return ray_from(pov_sub(to, pov_scale(d, distance())), d);
 }
@@ -62,7 +86,7 @@ static pov_ray grazing_ray(const shape_class *c, const void *self)
         return ray;
     c->normal(self, &ray, &at[0], &normal);
     p = pov_add(pov_add(ray.org, pov_scale(ray.dir, at[0].t)), pov_scale(normal, either(log_between(-9.0, -1.0))));
-    d = across(normal);
+    d = direction_along(normal);
     return ray_from(pov_sub(p, pov_scale(d, distance())), d);
 }
 

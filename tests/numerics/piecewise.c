@@ -29,6 +29,13 @@ poly_real poly_add(const poly_real *a, const poly_real *b)
     return p;
 }
 
+poly_real poly_sub(const poly_real *a, const poly_real *b)
+{
+    const poly_real minus = poly_scale(b, real_of(-1.0));
+
+    return poly_add(a, &minus);
+}
+
 poly_real poly_mul(const poly_real *a, const poly_real *b)
 {
     poly_real p;
@@ -51,6 +58,16 @@ poly_real poly_scale(const poly_real *a, real by)
     return p;
 }
 
+poly_real poly_slope(const poly_real *p)
+{
+    poly_real s = poly_of(real_of(0.0));
+
+    s.degree = p->degree > 0 ? p->degree - 1 : 0;
+    for (int i = 0; i < p->degree; i++)
+        s.c[i] = real_mul(p->c[i + 1], real_of(i + 1.0));
+    return s;
+}
+
 real poly_at(const poly_real *p, real t)
 {
     real sum = p->c[p->degree];
@@ -63,16 +80,6 @@ real poly_at(const poly_real *p, real t)
 /* ---- Sturm's sequence ---- */
 
 typedef struct sequence { int count; poly_real at[PIECE_DEGREE + 2]; } sequence;
-
-static poly_real slope_of(const poly_real *p)
-{
-    poly_real s;
-
-    s.degree = p->degree - 1;
-    for (int i = 0; i < p->degree; i++)
-        s.c[i] = real_mul(p->c[i + 1], real_of(i + 1.0));
-    return s;
-}
 
 /* Less the highest powers that are zero; degree -1 for zero itself. */
 static void trim(poly_real *p)
@@ -107,7 +114,7 @@ static void make_sequence(const poly_real *p, sequence *s)
     s->count = 1;
     if (s->at[0].degree < 1)
         return;
-    s->at[1] = slope_of(&s->at[0]);
+    s->at[1] = poly_slope(&s->at[0]);
     s->count = 2;
     while (s->at[s->count - 1].degree > 0) {
         s->at[s->count] = rest_of(&s->at[s->count - 2], &s->at[s->count - 1]);

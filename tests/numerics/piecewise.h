@@ -13,8 +13,10 @@ typedef struct poly_real { int degree; real c[PIECE_DEGREE + 1]; } poly_real;
 poly_real poly_of(real constant);
 poly_real poly_line(real at_zero, real slope);
 poly_real poly_add(const poly_real *a, const poly_real *b);
+poly_real poly_sub(const poly_real *a, const poly_real *b);
 poly_real poly_mul(const poly_real *a, const poly_real *b);
 poly_real poly_scale(const poly_real *a, real by);
+poly_real poly_slope(const poly_real *p);
 real poly_at(const poly_real *p, real t);
 
 /* The equation from one distance to another. */

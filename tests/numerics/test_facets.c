@@ -4,7 +4,7 @@
  * aimed anywhere, at corners and edges or beside them by 1e-1 to 1e-17, along axes, along the surface, and from the surface.
  * test_facets RAYS for a long run of each. */
 #include "numerics/draw.h"
-#include "numerics/real.h"
+#include "numerics/long_run.h"
 
 #include "support/check.h"
 #include "support/fake_reader.h"
@@ -19,7 +19,7 @@ enum { SIDE_MOST = 40, FACES_MOST = 2 * 64 * 64, MOST = 256, RAYS_A_SHAPE = 100 
 /* Heights nearer to the water, and distances nearer to a start on the surface, are open. How far distances may be off. */
 static const double TOUCH = 0x1p-40, PART = 0x1p-50, OFF = 0x1p-49;
 
-static long rays = 4000;
+static long rays;
 
 typedef struct surface {
     int count;
@@ -412,11 +412,7 @@ int main(int argc, char **argv)
         cmocka_unit_test(a_patch_has_the_crossings_of_its_triangles),
         cmocka_unit_test(a_ray_straight_down_meets_a_height_field_once),
     };
-    int failed;
 
-    if (argc > 1)
-        rays = strtol(argv[1], NULL, 10);
-    failed = cmocka_run_group_tests(tests, NULL, NULL);
-    real_free_all();
-    return failed;
+    rays = long_run_rays(argc, argv, 4000);
+    return cmocka_run_group_tests(tests, NULL, long_run_end);
 }

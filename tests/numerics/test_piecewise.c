@@ -5,13 +5,15 @@
  * a long run of each shape. */
 #include "numerics/draw.h"
 #include "numerics/kinds.h"
+#include "numerics/long_run.h"
 
 #include "support/check.h"
 #include "support/fake_reader.h"
+#include "support/rays.h"
 
-#include <stdlib.h>
+#include <string.h>
 
-static long rays = 3000;
+static long rays;
 
 /* ---- of one polynomial ---- */
 
@@ -401,19 +403,67 @@ static void a_blob_has_its_crossings(void **state) { (void)state; kinds_keep_cro
 static void a_superellipsoid_has_its_crossings(void **state) { (void)state; kinds_keep_crossings(&kinds[5], rays); }
 static void an_ovus_has_its_crossings(void **state) { (void)state; kinds_keep_crossings(&kinds[6], rays); }
 
+/* ---- of lines along which a cubic is nearly of a lower degree ---- */
+
+static uint32_t ask_cubic(const double *number, pov_vec3 org, pov_vec3 dir, pov_crossing at[3])
+{
+    const shape_class *c = fake_reader_shape("cubic");
+    pov_reader *in = fake_reader_create();
+    const pov_ray ray = ray_from(org, dir);
+    pov_hits hits = hits_to(40.0, POV_WANT_ALL, at, 3);
+    union { char bytes[1 << 12]; double aligned; } scratch;
+    shape s = { .count = 20 };
+    void *self;
+
+    assert_non_null(c);
+    memcpy(s.number, number, 20 * sizeof *number);
+    feed_list(&s, in);
+    self = fake_reader_parse(in, c);
+    assert_non_null(self);
+    hits.scratch = &scratch;
+    c->intersect(self, &ray, &hits);
+    fake_reader_destroy(in);
+    return hits.count;
+}
+
+/* One was found where the ray is nearest to the origin: just behind that place is another root, which no part of the line has. */
+static void a_line_beside_a_plane_of_a_cubic_meets_it_once(void **state)
+{
+    static const double number[20] = { 0.15103664045397724, 0, 0, 0, 0, 0, 0.24268823431520276, 0, 0, 0.2052543836591218 };
+    pov_crossing at[3];
+
+    (void)state;
+    assert_int_equal(ask_cubic(number, pov_vec3_of(0x1.4fd7b616ead28p-24, 0x1.683f7cb4a3bdap+2, 0x1.f2727bc4049d4p-2),
+                               pov_vec3_of(0x1.d196d6ba245ffp-56, -0x1.fd79c2924fb1bp-1, 0x1.963d03fb0f12dp-4), at), 1);
+    assert_true(fabs(at[0].t - 6.5067090883626495) < 1e-9);
+}
+
+/* Both distances were wrong: they were looked for on the scale of the third root, which is 1e25 away. */
+static void a_line_that_ends_on_a_cubic_keeps_its_near_crossings(void **state)
+{
+    static const double number[20] = {
+        0, 0, 0, -0.18977261620712735, 0, 0, 0.095753213384867086, 0, 0.037745637347717687, 0,
+        -0.13712862974252485, 0, 0, 0, 0, 0, 0, -0.036794471905893855, 0.040135411629142359, 0.24341423170739612,
+    };
+    pov_crossing at[3];
+
+    (void)state;
+    assert_int_equal(ask_cubic(number, pov_vec3_of(0x1.916e7dd7c9bb2p+1, 0x1.79ed2f458eb93p-2, 0x1.78f58dc98a914p+2),
+                               pov_vec3_of(-0x1.02f0f72674874p-1, -0x1.c2875e814ad3fp-29, -0x1.b9b19d4165fcep-1), at), 2);
+    assert_true(fabs(fmin(at[0].t, at[1].t) - 3.9071881197664506) < 1e-9);
+    assert_true(fabs(fmax(at[0].t, at[1].t) - 8.0155807718873557) < 1e-9);
+}
+
 int main(int argc, char **argv)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_cubic_has_its_crossings), cmocka_unit_test(a_quartic_has_its_crossings),
         cmocka_unit_test(a_sor_has_its_crossings), cmocka_unit_test(a_straight_lathe_has_its_crossings),
         cmocka_unit_test(a_blob_has_its_crossings), cmocka_unit_test(a_superellipsoid_has_its_crossings),
-        cmocka_unit_test(an_ovus_has_its_crossings),
+        cmocka_unit_test(an_ovus_has_its_crossings), cmocka_unit_test(a_line_beside_a_plane_of_a_cubic_meets_it_once),
+        cmocka_unit_test(a_line_that_ends_on_a_cubic_keeps_its_near_crossings),
     };
-    int failed;
 
-    if (argc > 1)
-        rays = strtol(argv[1], NULL, 10);
-    failed = cmocka_run_group_tests(tests, NULL, NULL);
-    real_free_all();
-    return failed;
+    rays = long_run_rays(argc, argv, 3000);
+    return cmocka_run_group_tests(tests, NULL, long_run_end);
 }

@@ -1,8 +1,8 @@
-/* test_strokes.c - sphere sweeps and text, by polynomials of their parameter in 512 bits: each crossing that is there is found, and
+/* test_strokes.c - sphere sweeps, by polynomials of their parameter in 512 bits: each crossing that is there is found, and
  * no other (numerics/kinds.h). test_strokes RAYS for a long run of each. */
 #include "numerics/draw.h"
-#include "numerics/font.h"
-#include "numerics/kinds.h"
+#include "numerics/long_run.h"
+#include "numerics/spline_real.h"
 
 #include "support/check.h"
 #include "support/fake_reader.h"
@@ -12,7 +12,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-static long rays = 2000;
+static long rays;
 
 static void put_number(shape *s, pov_reader *in, double number)
 {
@@ -43,56 +43,17 @@ static void make_straight(shape *s, pov_reader *in) { make_sweep(s, in, "linear_
 static void make_cubic(shape *s, pov_reader *in) { make_sweep(s, in, "cubic_spline", 4); }
 static void make_b_spline(shape *s, pov_reader *in) { make_sweep(s, in, "b_spline", 4); }
 
-/* Twice, or six times, what a spline makes of its points: rows by power of u, columns by point. */
-typedef struct basis { int degree, points; double by, row[4][4]; } basis;
-
-static const basis straight = { 1, 2, 1.0, { { 1.0, 0.0 }, { -1.0, 1.0 } } };
-static const basis cubic = { 3, 4, 2.0, { { 0.0, 2.0, 0.0, 0.0 }, { -1.0, 0.0, 1.0, 0.0 }, { 2.0, -5.0, 4.0, -1.0 }, { -1.0, 3.0, -3.0, 1.0 } } };
-static const basis b_spline = { 3, 4, 6.0, { { 1.0, 4.0, 1.0, 0.0 }, { -3.0, 0.0, 3.0, 0.0 }, { 3.0, -6.0, 3.0, 0.0 }, { -1.0, 3.0, -3.0, 1.0 } } };
-
-/* One of the four coordinates over a piece. */
-static poly_real coordinate(const basis *b, const double *points, int which)
-{
-    poly_real p;
-
-    p.degree = b->degree;
-    for (int k = 0; k <= b->degree; k++) {
-        p.c[k] = real_of(0.0);
-        for (int j = 0; j < b->points; j++)
-            p.c[k] = real_add(p.c[k], real_mul(real_of(b->row[k][j]), real_of(points[4 * j + which])));
-        p.c[k] = real_div(p.c[k], real_of(b->by));
-    }
-    return p;
-}
-
-static poly_real difference(const poly_real *a, const poly_real *b)
-{
-    const poly_real minus = poly_scale(b, real_of(-1.0));
-
-    return poly_add(a, &minus);
-}
-
-static poly_real slope_of(const poly_real *p)
-{
-    poly_real s = poly_of(real_of(0.0));
-
-    s.degree = p->degree - 1;
-    for (int i = 0; i < p->degree; i++)
-        s.c[i] = real_mul(p->c[i + 1], real_of(i + 1.0));
-    return s;
-}
-
 /* A ray in the sphere at u from (-half - root) / square to (-half + root) / square, root^2 = inner. */
 typedef struct field { real square; poly_real half, inner; } field;
 
-static field field_of(const basis *b, const double *points, const along *a)
+static field field_of(const spline_basis *b, const double *points, const along *a)
 {
     const poly_real *line[3] = { &a->x, &a->y, &a->z };
-    poly_real half = poly_of(real_of(0.0)), rest = poly_of(real_of(0.0)), r = coordinate(b, points, 3), more;
+    poly_real half = poly_of(real_of(0.0)), rest = poly_of(real_of(0.0)), r = spline_piece(b, points + 3, 4), more;
     field f = { .square = real_of(0.0) };
 
     for (int i = 0; i < 3; i++) {
-        const poly_real centre = coordinate(b, points, i), start = poly_of(line[i]->c[0]), w = difference(&start, &centre);
+        const poly_real centre = spline_piece(b, points + i, 4), start = poly_of(line[i]->c[0]), w = poly_sub(&start, &centre);
 
         more = poly_scale(&w, line[i]->c[1]);
         half = poly_add(&half, &more);
@@ -101,22 +62,22 @@ static field field_of(const basis *b, const double *points, const along *a)
         f.square = real_add(f.square, real_mul(line[i]->c[1], line[i]->c[1]));
     }
     more = poly_mul(&r, &r);
-    rest = difference(&rest, &more);
+    rest = poly_sub(&rest, &more);
     rest = poly_scale(&rest, f.square);
     f.half = half;
     more = poly_mul(&half, &half);
-    f.inner = difference(&more, &rest);
+    f.inner = poly_sub(&more, &rest);
     return f;
 }
 
 /* Where the ray may enter or leave first or last: 4 half'^2 inner = inner'^2. */
 static poly_real turning_points(const field *f)
 {
-    const poly_real a = slope_of(&f->half), b = slope_of(&f->inner), aa = poly_mul(&a, &a), bb = poly_mul(&b, &b);
+    const poly_real a = poly_slope(&f->half), b = poly_slope(&f->inner), aa = poly_mul(&a, &a), bb = poly_mul(&b, &b);
     poly_real p = poly_mul(&aa, &f->inner);
 
     p = poly_scale(&p, real_of(4.0));
-    return difference(&p, &bb);
+    return poly_sub(&p, &bb);
 }
 
 typedef struct stretch { double from, to; } stretch;
@@ -169,7 +130,7 @@ static void report(double t, const along *a, answer *out)
         out->at[out->count++] = t;
 }
 
-static void solve_sweep(const shape *s, const basis *b, const along *a, answer *out)
+static void solve_sweep(const shape *s, const spline_basis *b, const along *a, answer *out)
 {
     stretches in = { 0, { { 0.0, 0.0 } } };
 
@@ -189,132 +150,18 @@ static void solve_sweep(const shape *s, const basis *b, const along *a, answer *
     }
 }
 
-static void solve_straight(const shape *s, const along *a, answer *out) { solve_sweep(s, &straight, a, out); }
-static void solve_cubic(const shape *s, const along *a, answer *out) { solve_sweep(s, &cubic, a, out); }
-static void solve_b_spline(const shape *s, const along *a, answer *out) { solve_sweep(s, &b_spline, a, out); }
-
-/* ---- text ---- */
-
-/* A font of one glyph, whose outline is drawn by chance; numbers: the depth, and six for each piece. */
-static void make_text(shape *s, pov_reader *in)
-{
-    static font one;
-
-    font_make(&one, U);
-    fake_reader_file(in, one.bytes, one.size);
-    s->count = 0;
-    fake_reader_text(in, "ttf font A");
-    put_number(s, in, between(0.1, 1.0));
-    fake_reader_number(in, 0.0);
-    for (int i = 0; i < one.pieces; i++)
-        for (int k = 0; k < 6; k++)
-            s->number[s->count++] = one.piece[i][k];
-}
-
-/* A coordinate of a piece of the second order over its parameter. */
-static poly_real bezier(double a, double b, double c)
-{
-    poly_real p;
-
-    p.degree = 2;
-    p.c[0] = real_of(a);
-    p.c[1] = real_of(2.0 * (b - a));
-    p.c[2] = real_of(a - 2.0 * b + c);
-    return p;
-}
-
-/* Is a cap crossed? Pieces are crossed by the half-line from there along x an odd number of times. */
-static void cross_cap(const shape *s, const along *a, double height, answer *out)
-{
-    const real t = real_div(real_sub(real_of(height), a->z.c[0]), a->z.c[1]), x = poly_at(&a->x, t), y = poly_at(&a->y, t);
-    bool is_in = false;
-
-    for (int i = 1; i + 6 <= s->count; i += 6) {
-        const double *c = s->number + i;
-        const poly_real level = poly_of(y), by_y = bezier(c[1], c[3], c[5]), by_x = bezier(c[0], c[2], c[4]);
-        const poly_piece piece = { difference(&by_y, &level), real_of(0.0), real_of(1.0) };
-        double at[2];
-        const int n = poly_roots(&piece, at, 2);
-
-        for (int k = 0; k < n; k++) {
-            const double beside = real_double(real_sub(poly_at(&by_x, real_of(at[k])), x));
-
-            out->open = out->open || fabs(beside) < KIND_TOUCH;
-            is_in ^= beside > 0.0;
-        }
-    }
-    if (is_in)
-        report(real_double(t), a, out);
-}
-
-static void solve_text(const shape *s, const along *a, answer *out)
-{
-    const double depth = s->number[0];
-
-    for (int i = 1; i + 6 <= s->count; i += 6) {
-        const double *c = s->number + i;
-        const poly_real by_x = bezier(c[0], c[2], c[4]), by_y = bezier(c[1], c[3], c[5]), x = poly_of(a->x.c[0]), y = poly_of(a->y.c[0]);
-        const poly_real off_x = difference(&by_x, &x), off_y = difference(&by_y, &y);
-        const poly_real p = poly_scale(&off_x, a->y.c[1]), q = poly_scale(&off_y, a->x.c[1]);
-        const poly_piece piece = { difference(&p, &q), real_of(0.0), real_of(1.0) };
-        const real square = real_add(real_mul(a->x.c[1], a->x.c[1]), real_mul(a->y.c[1], a->y.c[1]));
-        double at[2];
-        const int n = poly_roots(&piece, at, 2);
-
-        for (int k = 0; k < n; k++) {
-            const real u = real_of(at[k]), along_x = real_mul(poly_at(&off_x, u), a->x.c[1]), along_y = real_mul(poly_at(&off_y, u), a->y.c[1]);
-            const real t = real_div(real_add(along_x, along_y), square);
-            const double height = real_double(poly_at(&a->z, t));
-
-            out->open = out->open || fabs(height) < KIND_TOUCH || fabs(height - depth) < KIND_TOUCH;
-            if (height > 0.0 && height < depth)
-                report(real_double(t), a, out);
-        }
-    }
-    cross_cap(s, a, 0.0, out);
-    cross_cap(s, a, depth, out);
-}
+static void solve_straight(const shape *s, const along *a, answer *out) { solve_sweep(s, &spline_linear, a, out); }
+static void solve_cubic(const shape *s, const along *a, answer *out) { solve_sweep(s, &spline_cubic, a, out); }
+static void solve_b_spline(const shape *s, const along *a, answer *out) { solve_sweep(s, &spline_b, a, out); }
 
 static const kind_row kinds[] = {
     { "sphere_sweep", make_straight, solve_straight }, { "sphere_sweep", make_cubic, solve_cubic },
-    { "sphere_sweep", make_b_spline, solve_b_spline }, { "text", make_text, solve_text },
+    { "sphere_sweep", make_b_spline, solve_b_spline },
 };
 
 static void a_straight_sweep_has_its_crossings(void **state) { (void)state; kinds_keep_crossings(&kinds[0], rays); }
 static void a_cubic_sweep_has_its_crossings(void **state) { (void)state; kinds_keep_crossings(&kinds[1], rays); }
 static void a_sweep_along_a_b_spline_has_its_crossings(void **state) { (void)state; kinds_keep_crossings(&kinds[2], rays); }
-
-static void text_has_its_crossings(void **state)
-{
-    (void)state;
-    if (!fake_reader_shape(kinds[3].keyword))
-        skip();
-    kinds_keep_crossings(&kinds[3], rays);
-}
-
-/* The z of the offset that is added behind each glyph counts for nothing, as in POV-Ray. */
-static void glyphs_of_a_text_stand_in_one_plane(void **state)
-{
-    const shape_class *c = fake_reader_shape("text");
-    pov_reader *in = fake_reader_create();
-    static font one;
-    pov_box box;
-    void *self;
-
-    (void)state;
-    if (!c)
-        skip();
-    families_seed(3);
-    font_make(&one, U);
-    fake_reader_file(in, one.bytes, one.size);
-    fake_reader_text(in, "ttf font AAA 0.5 < 0.1 0.2 0.25 >");
-    self = fake_reader_parse(in, c);
-    assert_non_null(self);
-    assert_true(c->bounds(self, &box));
-    assert_true(fabs(box.lo.z) < 1e-9 && fabs(box.hi.z - 0.5) < 1e-9);
-    assert_true(box.hi.y - box.lo.y > 0.4);
-    fake_reader_destroy(in);
-}
 
 /* Its chord of 1e-4 came out as 4e-8: the least entry and the greatest exit were roots that noise hid. */
 static void a_ray_that_hardly_enters_a_sweep_keeps_its_chord(void **state)
@@ -360,15 +207,10 @@ int main(int argc, char **argv)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_straight_sweep_has_its_crossings), cmocka_unit_test(a_cubic_sweep_has_its_crossings),
-        cmocka_unit_test(a_sweep_along_a_b_spline_has_its_crossings), cmocka_unit_test(text_has_its_crossings),
-        cmocka_unit_test(glyphs_of_a_text_stand_in_one_plane),
+        cmocka_unit_test(a_sweep_along_a_b_spline_has_its_crossings),
         cmocka_unit_test(a_ray_that_hardly_enters_a_sweep_keeps_its_chord),
     };
-    int failed;
 
-    if (argc > 1)
-        rays = strtol(argv[1], NULL, 10);
-    failed = cmocka_run_group_tests(tests, NULL, NULL);
-    real_free_all();
-    return failed;
+    rays = long_run_rays(argc, argv, 2000);
+    return cmocka_run_group_tests(tests, NULL, long_run_end);
 }
