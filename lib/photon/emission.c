@@ -252,10 +252,11 @@ static double fraction(double x) { return x - floor(x); }
 
 /* The place of an emission in its rectangle: Roberts's sequence of two dimensions, by the root of x^3 = x + 1. Aims have
  * shifts of their own: those of the points of an area light are much alike, and so would be their errors. */
-static void place_of(const photon_aim *a, uint64_t map, uint32_t i, double out[2])
+static void place_of(const photon_aim *a, uint32_t seed, uint32_t map, uint32_t i, double out[2])
 {
     static const double step[2] = { 0.7548776662466927, 0.5698402909980532 };
-    const uint64_t bits = mix_bits(map * 0x9e3779b97f4a7c15u + 1 + (uint64_t)a->number * 0xd1342543de82ef95u);
+    const uint64_t of = map * 0x9e3779b97f4a7c15u + 1 + a->number * 0xd1342543de82ef95u;
+    const uint64_t bits = mix_bits(of + seed * 0xa0761d6478bd642fu);
 
     out[0] = fraction((double)(bits >> 32) * 0x1p-32 + fraction((double)i * step[0]));
     out[1] = fraction((double)(bits & 0xffffffff) * 0x1p-32 + fraction((double)i * step[1]));
@@ -276,7 +277,7 @@ static void find_colours(const photon_aim *a, uint32_t n, const emission_batch *
     light_class_of(a->light)->incident(a->light, &a->from, &at, in);
 }
 
-void emission_rays(const photon_aim *a, uint64_t map, uint32_t first, uint32_t n, uint32_t total, emission_batch *out)
+void emission_rays(const photon_aim *a, uint32_t seed, uint32_t map, uint32_t first, uint32_t n, uint32_t total, emission_batch *out)
 {
     static const pov_ray fresh;
     light_lanes in;
@@ -286,7 +287,7 @@ void emission_rays(const photon_aim *a, uint64_t map, uint32_t first, uint32_t n
         double at[2];
         pov_vec3 to;
 
-        place_of(a, map, first + i, at);
+        place_of(a, seed, map, first + i, at);
         to = pov_add(a->corner, pov_add(pov_scale(a->sides[0], at[0]), pov_scale(a->sides[1], at[1])));
         *ray = fresh;
         ray->origin_surface = POV_NO_OWNER;

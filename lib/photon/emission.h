@@ -2,7 +2,7 @@
  *
  * An aim is one origin of a light, one target, and a rectangle that holds all rays between both: in a plane at distance 1
  * from the origin, or for parallel light across its axis. Emissions are spread evenly over the rectangle, by an additive
- * recurrence in two dimensions that each map shifts by numbers of its own. */
+ * recurrence in two dimensions that each map of each seed shifts by numbers of its own. */
 #ifndef PHOTON_EMISSION_H
 #define PHOTON_EMISSION_H
 
@@ -37,10 +37,10 @@ bool emission_aim(photon_aims *out, const model *m, const photon_target *targets
                   const pov_box *around);
 void emission_free(photon_aims *a);
 
-/* Rays of emissions first .. first + n - 1 of `total`, and the light that each carries: of parallel light per area, else
+/* Rays of emissions first .. first + n - 1 of `total` of a map of a seed, and the light that each carries: of parallel light per area, else
  * per solid angle. n: at most LANES_MAX. */
 typedef struct emission_batch { pov_ray rays[LANES_MAX]; colour flux[LANES_MAX]; } emission_batch;
-void emission_rays(const photon_aim *a, uint64_t map, uint32_t first, uint32_t n, uint32_t total, emission_batch *out);
+void emission_rays(const photon_aim *a, uint32_t seed, uint32_t map, uint32_t first, uint32_t n, uint32_t total, emission_batch *out);
 /* What is left of light that fades over this distance, and for light that comes from a point what its flux is an
  * irradiance by: the square of the distance. */
 double emission_factor(const light *l, double distance);

@@ -226,9 +226,9 @@ static void set_radii(photon_map *m, nearest *h)
             block_of(m, &m->nodes[i])->radius = (double)(float)radius_of(m, &m->nodes[i], h);
 }
 
-bool photon_map_make(photon_map *out, const env *e, photon *photons, uint32_t count, uint32_t most)
+bool photon_map_make(photon_map *out, const env *e, photon *photons, uint32_t count, uint32_t most, photon_kernel kernel)
 {
-    const photon_map none = { photons, count, 0, NULL, NULL };
+    const photon_map none = { photons, count, 0, kernel, NULL, NULL };
     nearest h = { 0, most < count ? most : count, NULL };
 
     *out = none;
@@ -252,7 +252,7 @@ bool photon_map_make(photon_map *out, const env *e, photon *photons, uint32_t co
 
 void photon_map_free(photon_map *m, const env *e)
 {
-    const photon_map none = { NULL, 0, 0, NULL, NULL };
+    const photon_map none = { NULL, 0, 0, PHOTON_SMOOTH, NULL, NULL };
 
     env_free_aligned(e, m->blocks);
     env_free(e, m->photons);
@@ -280,8 +280,18 @@ static inline bool holds(const pov_box *b, pov_vec3 p, double more)
 static const double least_alike = 0.5, most_above = 0.5;
 static const double three_by_pi = 0.95492965855137201461;
 
+/* The kernel's last factor is base + slope (1 - u). */
+typedef struct factor { double base, slope; } factor;
+
+static inline factor factor_of(const photon_map *m)
+{
+    static const factor by_kernel[] = { [PHOTON_SMOOTH] = { 1.0, 0.0 }, [PHOTON_SHARP] = { -4.0, 20.0 / 3.0 } };
+
+    return by_kernel[m->kernel];
+}
+
 /* By lane: what a photon counts for at a point, if it counts there. Returns bit i for lane i that does. */
-SIMD_CLONES static uint32_t try_photons(const photon_block *restrict b, pov_vec3 at, pov_vec3 normal, double least,
+SIMD_CLONES static uint32_t try_photons(const photon_block *restrict b, pov_vec3 at, pov_vec3 normal, double least, factor by,
                                         double *restrict density)
 {
     const double radius = greater(b->radius, least), square = radius * radius, most = three_by_pi / square, height = most_above * radius;
@@ -292,15 +302,16 @@ SIMD_CLONES static uint32_t try_photons(const photon_block *restrict b, pov_vec3
         const double near = 1.0 - (x * x + y * y + z * z) / square, above = x * normal.x + y * normal.y + z * normal.z;
         const double alike = normal.x * (double)b->normal[0][i] + normal.y * (double)b->normal[1][i] + normal.z * (double)b->normal[2][i];
 
-        density[i] = (near > 0.0) & (fabs(alike) > least_alike) & (fabs(above) < height) ? most * near * near : 0.0;
+        density[i] = (near > 0.0) & (fabs(alike) > least_alike) & (fabs(above) < height) ? most * near * near * (by.base + by.slope * near) : 0.0;
     }
     for (int i = 0; i < PHOTON_LANES; i++)
-        held |= (uint32_t)(density[i] > 0.0) << i;
+        held |= (uint32_t)(density[i] != 0.0) << i;
     return held;
 }
 
 void photon_map_find(const photon_map *m, pov_vec3 at, pov_vec3 normal, double least, photon_visit *visit, void *user)
 {
+    const factor by = factor_of(m);
     double density[PHOTON_LANES];
 
     for (uint32_t i = 0, held; i < m->node_count;) {
@@ -310,7 +321,7 @@ void photon_map_find(const photon_map *m, pov_vec3 at, pov_vec3 normal, double l
             i = n->skip;
             continue;
         }
-        for (held = n->count > 0 ? try_photons(block_of(m, n), at, normal, least, density) : 0; held; held &= held - 1)
+        for (held = n->count > 0 ? try_photons(block_of(m, n), at, normal, least, by, density) : 0; held; held &= held - 1)
             visit(user, &m->photons[n->first + first_of(held)], (float)density[first_of(held)]);
         i++;
     }
@@ -333,8 +344,8 @@ static bool meets(const pov_box *b, pov_vec3 from, pov_vec3 per, double length, 
 static double inverse(double d) { return 1.0 / (fabs(d) > 0x1p-60 ? d : copysign(0x1p-60, d)); }
 
 /* The same of those that the ray passes, and where it does. */
-SIMD_CLONES static uint32_t pass_photons(const photon_block *restrict b, const photon_ray *restrict ray, double *restrict where,
-                                         double *restrict density)
+SIMD_CLONES static uint32_t pass_photons(const photon_block *restrict b, const photon_ray *restrict ray, factor by,
+                                         double *restrict where, double *restrict density)
 {
     const pov_vec3 from = ray->from, dir = ray->dir;
     const double length = ray->length, least = ray->least, slope = ray->slope, own = b->radius;
@@ -347,10 +358,10 @@ SIMD_CLONES static uint32_t pass_photons(const photon_block *restrict b, const p
         const double near = 1.0 - (u * u + v * v + w * w) / square;
 
         where[i] = at;
-        density[i] = (near > 0.0) & (at >= 0.0) & (at <= length) ? three_by_pi / square * near * near : 0.0;
+        density[i] = (near > 0.0) & (at >= 0.0) & (at <= length) ? three_by_pi / square * near * near * (by.base + by.slope * near) : 0.0;
     }
     for (int i = 0; i < PHOTON_LANES; i++)
-        held |= (uint32_t)(density[i] > 0.0) << i;
+        held |= (uint32_t)(density[i] != 0.0) << i;
     return held;
 }
 
@@ -366,6 +377,7 @@ static double widest(const photon_node *n, const photon_ray *ray)
 void photon_map_follow(const photon_map *m, const photon_ray *ray, photon_pass *pass, void *user)
 {
     const pov_vec3 per = pov_vec3_of(inverse(ray->dir.x), inverse(ray->dir.y), inverse(ray->dir.z));
+    const factor by = factor_of(m);
     double where[PHOTON_LANES], density[PHOTON_LANES];
 
     for (uint32_t i = 0, held; i < m->node_count;) {
@@ -375,7 +387,7 @@ void photon_map_follow(const photon_map *m, const photon_ray *ray, photon_pass *
             i = n->skip;
             continue;
         }
-        for (held = n->count > 0 ? pass_photons(block_of(m, n), ray, where, density) : 0; held; held &= held - 1) {
+        for (held = n->count > 0 ? pass_photons(block_of(m, n), ray, by, where, density) : 0; held; held &= held - 1) {
             const uint32_t k = first_of(held);
 
             pass(user, &m->photons[n->first + k], where[k], (float)density[k]);

@@ -1,6 +1,6 @@
 /* map.h - photons where they arrived, and the light that they make on surfaces and in media.
  *
- * A photon's light is spread over a disc around it, by Silverman's kernel (1 - (d/r)^2)^2. Discs are small where photons
+ * A photon's light is spread over a disc around it, by one of two kernels. Discs are small where photons
  * are dense: those of one leaf of the tree reach as far as the n-th nearest photon from its middle. What each disc holds is
  * the photon's light, so no light is lost but at the edges of surfaces. In media discs lie across the ray that looks. */
 #ifndef PHOTON_MAP_H
@@ -19,6 +19,11 @@ typedef struct photon {
     float normal[3];             /* of the surface, towards where it came from */
 } photon;
 
+/* With u = (d/r)^2: Silverman's (1 - u)^2, which blurs what curves; and (1 - u)^2 (20/3 (1 - u) - 4), whose second moment is
+ * zero: it is below zero from u = 0.4 on, and blurs no light but what differs from a polynomial of the third degree. See
+ * docs/light.md. */
+typedef enum photon_kernel { PHOTON_SMOOTH, PHOTON_SHARP } photon_kernel;
+
 /* A node of the tree, in the order of a traversal: `skip` is the next one that is not below it. */
 typedef struct photon_node {
     pov_box box;                 /* of all discs below it */
@@ -36,17 +41,19 @@ typedef struct photon_block {
 typedef struct photon_map {
     photon *photons;             /* by leaf: all but the last one are full */
     uint32_t count, node_count;
+    photon_kernel kernel;
     photon_node *nodes;
     photon_block *blocks;        /* by leaf */
 } photon_map;
 
 /* Make a map of these photons, which becomes the map's: from env_alloc(). nearest: how many photons a disc reaches. False:
  * no memory, and the photons are freed. */
-bool photon_map_make(photon_map *out, const env *e, photon *photons, uint32_t count, uint32_t nearest);
+bool photon_map_make(photon_map *out, const env *e, photon *photons, uint32_t count, uint32_t nearest,
+                     photon_kernel kernel);
 void photon_map_free(photon_map *m, const env *e);
-/* How far apart the samples of a pixel are, where what they see is seen straight: `width` at `from`, and by `slope` more for
- * each unit of distance. A smaller disc would be met by chance, with much light, or not at all: no number of samples that
- * miss it tells of it. */
+/* The least radius of a disc, where what the samples of a pixel see is seen straight: `width` at `from`, and by `slope` more for
+ * each unit of distance. A disc smaller than samples lie apart would be met by chance, with much light, or not at all: no
+ * number of samples that miss it tells of it. */
 typedef struct photon_view { pov_vec3 from; double width, slope; } photon_view;
 double photon_view_spacing(const photon_view *v, pov_vec3 at);
 /* Call visit for each photon whose disc holds a point of a surface with this normal on either side, with the light that

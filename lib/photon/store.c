@@ -18,12 +18,18 @@ typedef struct making {
     photon_maps maps;
 } making;
 
+struct photon_seed {
+    photon_seed *next;
+    uint32_t seed, users;
+    making maps[PHOTON_MAPS];
+};
+
 struct photon_store {
     const env *env;
     const photon_aims *aims;
     mutex lock;
     condition changed;
-    making maps[PHOTON_MAPS];
+    photon_seed *seeds;
 };
 
 uint32_t photon_store_number(uint32_t sample)
@@ -47,14 +53,16 @@ uint32_t photon_store_emissions(const photon_aims *aims, uint32_t number)
 }
 
 /* More photons and smaller discs: both the number of photons of a disc and the number of discs of a map grow. The second
- * half's discs hold a quarter of the first's. */
+ * half's discs hold half as many as the first's: they blur the less what is not smooth. */
 static uint32_t nearest_of(uint32_t number)
 {
     static const uint32_t by_level[PHOTON_LEVELS] = { FIRST_NEAREST, 100, 126, 160, 200 };
     const uint32_t n = by_level[level_of(number)];
 
-    return number % PHOTON_HALVES == 0 ? n : n / 4;
+    return number % PHOTON_HALVES == 0 ? n : n / 2;
 }
+
+static photon_kernel kernel_of(uint32_t number) { return number % PHOTON_HALVES == 0 ? PHOTON_SMOOTH : PHOTON_SHARP; }
 
 photon_store *photon_store_create(const env *e, const photon_aims *aims)
 {
@@ -85,18 +93,70 @@ static void free_lists(const photon_store *s, making *m)
     m->lists = NULL;
 }
 
+/* Those that nobody holds, or all. */
+static void free_seeds(photon_store *s, bool all)
+{
+    for (photon_seed **at = &s->seeds, *p; (p = *at) != NULL;) {
+        if (p->users > 0 && !all) {
+            at = &p->next;
+            continue;
+        }
+        *at = p->next;
+        for (int i = 0; i < PHOTON_MAPS; i++) {
+            free_lists(s, &p->maps[i]);
+            for (int k = 0; k < PHOTON_PLACES; k++)
+                photon_map_free(&p->maps[i].maps.of[k], s->env);
+        }
+        env_free(s->env, p);
+    }
+}
+
 void photon_store_destroy(photon_store *s)
 {
     if (!s)
         return;
-    for (int i = 0; i < PHOTON_MAPS; i++) {
-        free_lists(s, &s->maps[i]);
-        for (int k = 0; k < PHOTON_PLACES; k++)
-            photon_map_free(&s->maps[i].maps.of[k], s->env);
-    }
+    free_seeds(s, true);
     condition_destroy(&s->changed);
     mutex_destroy(&s->lock);
     env_free(s->env, s);
+}
+
+/* The lock is held. */
+static photon_seed *find_seed(photon_store *s, uint32_t seed)
+{
+    photon_seed *p = s->seeds;
+
+    while (p && p->seed != seed)
+        p = p->next;
+    if (p)
+        return p;
+    free_seeds(s, false);
+    p = env_alloc(s->env, 1, sizeof *p);
+    if (!p)
+        return NULL;
+    p->seed = seed;
+    p->next = s->seeds;
+    s->seeds = p;
+    return p;
+}
+
+photon_seed *photon_store_hold(photon_store *s, uint32_t seed)
+{
+    photon_seed *p;
+
+    mutex_lock(&s->lock);
+    p = find_seed(s, seed);
+    if (p)
+        p->users++;
+    mutex_unlock(&s->lock);
+    return p;
+}
+
+void photon_store_let_go(photon_store *s, photon_seed *of)
+{
+    mutex_lock(&s->lock);
+    of->users--;
+    mutex_unlock(&s->lock);
 }
 
 /* ---- making a map ---- */
@@ -106,19 +166,19 @@ static size_t chunks_of_aim(const photon_store *s, uint32_t number)
     return (photon_store_emissions(s->aims, number) + CHUNK - 1) / CHUNK;
 }
 
-static photon_chunk chunk_at(const photon_store *s, uint32_t number, size_t i)
+static photon_chunk chunk_at(const photon_store *s, const photon_seed *of, uint32_t number, size_t i)
 {
     const size_t each = chunks_of_aim(s, number);
     const uint32_t total = photon_store_emissions(s->aims, number), first = (uint32_t)(i % each) * CHUNK;
-    const photon_chunk c = { &s->aims->items[i / each], number, first, total - first < CHUNK ? total - first : CHUNK, total };
+    const photon_chunk c = { &s->aims->items[i / each], of->seed, number, first, total - first < CHUNK ? total - first : CHUNK, total };
 
     return c;
 }
 
 /* The lock is held. */
-static void begin(photon_store *s, uint32_t number)
+static void begin(photon_store *s, photon_seed *of, uint32_t number)
 {
-    making *m = &s->maps[number];
+    making *m = &of->maps[number];
 
     m->begun = true;
     m->chunk_count = s->aims->count * chunks_of_aim(s, number);
@@ -147,31 +207,30 @@ static photon *join(const photon_store *s, const making *m, int place, uint32_t 
 }
 
 /* The last chunk was traced; the lock is not held, and nobody else is at work on the map. */
-static bool complete(photon_store *s, uint32_t number)
+static bool complete(photon_store *s, making *m, uint32_t number)
 {
-    making *m = &s->maps[number];
     bool made = true;
 
     for (int k = 0; k < PHOTON_PLACES && made; k++) {
         uint32_t count;
         photon *all = join(s, m, k, &count);
 
-        made = all && photon_map_make(&m->maps.of[k], s->env, all, count, nearest_of(number));
+        made = all && photon_map_make(&m->maps.of[k], s->env, all, count, nearest_of(number), kernel_of(number));
     }
     free_lists(s, m);
     return made;
 }
 
 /* Trace the next chunk, and complete the map after the last. The lock is held, but not meanwhile. */
-static void help(photon_store *s, uint32_t number, photon_trace *trace, void *user)
+static void help(photon_store *s, photon_seed *of, uint32_t number, photon_trace *trace, void *user)
 {
-    making *m = &s->maps[number];
+    making *m = &of->maps[number];
     const size_t i = m->claimed++;
     bool traced, last;
 
     mutex_unlock(&s->lock);
     {
-        const photon_chunk chunk = chunk_at(s, number, i);
+        const photon_chunk chunk = chunk_at(s, of, number, i);
 
         traced = trace(user, &chunk, &m->lists[i]);
     }
@@ -180,7 +239,7 @@ static void help(photon_store *s, uint32_t number, photon_trace *trace, void *us
     last = ++m->traced == m->chunk_count;
     if (last && !m->failed) {
         mutex_unlock(&s->lock);
-        traced = complete(s, number);
+        traced = complete(s, m, number);
         mutex_lock(&s->lock);
         m->failed = !traced;
         m->done = traced;
@@ -189,19 +248,20 @@ static void help(photon_store *s, uint32_t number, photon_trace *trace, void *us
         condition_wake_all(&s->changed);
 }
 
-const photon_maps *photon_store_take(photon_store *s, uint32_t number, photon_trace *trace, photon_wanted *wanted, void *user)
+const photon_maps *photon_store_take(photon_store *s, photon_seed *of, uint32_t number, photon_trace *trace, photon_wanted *wanted,
+                                     void *user)
 {
-    making *m = &s->maps[number];
+    making *m = &of->maps[number];
     const photon_maps *out;
 
     mutex_lock(&s->lock);
     if (!m->begun)
-        begin(s, number);
+        begin(s, of, number);
     if (m->chunk_count == 0)
         m->done = !m->failed;
     while (!m->done && !m->failed && (m->claimed == m->chunk_count || wanted(user))) {
         if (m->claimed < m->chunk_count)
-            help(s, number, trace, user);
+            help(s, of, number, trace, user);
         else
             condition_wait(&s->changed, &s->lock);
     }

@@ -168,7 +168,7 @@ void worker_set_pixel(worker *w, const settings *s)
     if (!w->job->scene->plan->photons)
         return;
     raygen_apart(&w->claim.camera, s->width, s->height, &start, &slope);
-    tracer_set_pixel(w->tracer, start, slope);
+    tracer_set_pixel(w->tracer, start, slope, s->seed);
 }
 
 bool worker_trace(worker *w, const settings *s)

@@ -51,7 +51,7 @@ static void leave_at(flight *f, const path *p, const media_set *set, const media
 /* The fewer photons a map has, the more points has each; one of the first level has four. */
 static void leave_in(flight *f, const path *p, const media_set *set, const media_segment *on)
 {
-    const uint32_t level = (uint32_t)f->chunk->map / PHOTON_HALVES, n = level < 2 ? 4u >> level : 1;
+    const uint32_t level = f->chunk->map / PHOTON_HALVES, n = level < 2 ? 4u >> level : 1;
     const media_random random = media_random_of(on);
     const double part = on->length / n;
 
@@ -176,7 +176,7 @@ static void fly(flight *f, uint32_t first, uint32_t n)
     colour unused[BATCH_MAX];
     emission_batch e;
 
-    emission_rays(chunk->aim, chunk->map, chunk->first + first, n, chunk->total, &e);
+    emission_rays(chunk->aim, chunk->seed, chunk->map, chunk->first + first, n, chunk->total, &e);
     tracer_begin(t, e.rays, n, e.flux);
     do
         fly_batch(f, b, unused);

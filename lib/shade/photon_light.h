@@ -17,7 +17,9 @@ typedef struct photon_lanes {
 
 /* One thread's memory for photons. */
 typedef struct photon_work {
-    const photon_maps *known[PHOTON_MAPS];   /* maps that were asked for */
+    photon_seed *seed;           /* held; NULL: not yet */
+    uint32_t seed_number;
+    const photon_maps *known[PHOTON_MAPS];   /* its maps that were asked for */
     const photon_maps *maps[BATCH_MAX];      /* by lane of the camera ray */
     photon_view views[BATCH_MAX];            /* the same */
     double width, slope;                     /* of a pixel: as of a view of one sample */

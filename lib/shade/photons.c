@@ -62,7 +62,7 @@ static bool enters(pov_tracer *t, const photon_scene *p, const photon_aim *aim)
     const uint32_t total = photon_store_emissions(&p->aims, 0);
 
     for (uint32_t first = 0; first < total && first < MOST; first += SOME) {
-        const photon_chunk chunk = { aim, 0, first, total - first < SOME ? total - first : SOME, total };
+        const photon_chunk chunk = { aim, 0, 0, first, total - first < SOME ? total - first : SOME, total };
 
         if (photon_flight_enters(t, &chunk))
             return true;

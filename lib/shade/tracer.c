@@ -81,6 +81,16 @@ pov_status tracer_create(pov_tracer **out, const shading *scene, pov_error *err)
     return POV_OK;
 }
 
+/* The maps of a seed are those of no other. */
+static void let_go(pov_tracer *t)
+{
+    if (!t->photons || !t->photons->seed)
+        return;
+    photon_store_let_go(t->context.scene->photons->store, t->photons->seed);
+    t->photons->seed = NULL;
+    memset(t->photons->known, 0, sizeof t->photons->known);
+}
+
 void tracer_destroy(pov_tracer *t)
 {
     const env *e;
@@ -88,6 +98,7 @@ void tracer_destroy(pov_tracer *t)
     if (!t)
         return;
     e = t->context.env;
+    let_go(t);
     query_context_destroy(t->context.context);
     batch_free(&t->queue, e);
     paint_destroy(&t->painted, e);
@@ -273,23 +284,39 @@ static bool is_wanted(void *tracer)
     return !interrupt_is_due(&t->context.interrupt, BATCH_MAX);
 }
 
-/* No disc has a radius below the distance between the samples so far of the pixel's half: then some of them meet it, however
- * much light it holds. As the discs of the second half are half as wide as the first's, so is this. Of a pixel's first sample
- * in each half that would blur more than it helps. */
+/* No disc has a radius below a part of a pixel's size that falls with the fourth root of m, the samples so far of the pixel's half
+ * (docs/light.md): so the later, the more of them meet it, however much light it holds. Of a pixel's first sample in each
+ * half that would blur more than it helps. */
+static const double least_disc = 0.6;
+
 static photon_view view_of(const photon_work *w, const pov_ray *ray, uint32_t number)
 {
-    const double by = number < 2 ? 0.0 : (number & 1 ? 0.5 : 1.0) / sqrt((double)(number / 2) + 1.0);
+    const double by = number < 2 ? 0.0 : least_disc / sqrt(sqrt((double)(number / 2) + 1.0));
     const photon_view v = { ray->org, by * w->width, by * w->slope };
 
     return v;
 }
 
-void tracer_set_pixel(pov_tracer *t, double width, double slope)
+void tracer_set_pixel(pov_tracer *t, double width, double slope, uint32_t seed)
 {
     if (!t->photons)
         return;
     t->photons->width = width;
     t->photons->slope = slope;
+    if (seed != t->photons->seed_number)
+        let_go(t);
+    t->photons->seed_number = seed;
+}
+
+/* NULL: no memory, or given up. */
+static const photon_maps *take_map(pov_tracer *t, uint32_t number)
+{
+    photon_store *store = t->context.scene->photons->store;
+    photon_work *w = t->photons;
+
+    if (!w->seed)
+        w->seed = photon_store_hold(store, w->seed_number);
+    return w->seed ? photon_store_take(store, w->seed, number, photon_flight_trace, is_wanted, t) : NULL;
 }
 
 /* The map for each ray, made if need be. False: no memory, or given up. */
@@ -302,7 +329,7 @@ static bool take_maps(pov_tracer *t, const pov_ray *rays, uint32_t n)
         const uint32_t number = photon_store_number(c->samples[i].number);
 
         if (!w->known[number])
-            w->known[number] = photon_store_take(c->scene->photons->store, number, photon_flight_trace, is_wanted, t);
+            w->known[number] = take_map(t, number);
         if (!w->known[number]) {
             c->failed = c->failed || !c->interrupt.given_up;
             return false;

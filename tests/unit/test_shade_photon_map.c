@@ -22,7 +22,7 @@ static void gather(photon_map *m, const env *e)
         all[i].dir[2] = 1.0f;
         all[i].normal[2] = -1.0f;
     }
-    assert_true(photon_map_make(m, e, all, COUNT, 20));
+    assert_true(photon_map_make(m, e, all, COUNT, 20, PHOTON_SMOOTH));
 }
 
 static void add(void *user, const photon *p, float density)
@@ -83,6 +83,47 @@ static void wide_discs_hold_all_light(void **state)
     tiny_end(&s);
 }
 
+/* Photons in a grid of the plane z = 1, whose light per area is 1 + x^2. */
+static void curve(photon_map *m, const env *e, photon_kernel kernel)
+{
+    const int edge = 100;
+    photon *all = env_resize(e, NULL, (size_t)edge * (size_t)edge, sizeof *all);
+
+    assert_non_null(all);
+    memset(all, 0, (size_t)edge * (size_t)edge * sizeof *all);
+    for (int i = 0; i < edge * edge; i++) {
+        const double x = (i % edge + 0.5) / edge - 0.5, y = (i / edge + 0.5) / edge - 0.5;
+        const float flux = (float)((1.0 + x * x) / (edge * edge));
+
+        all[i].at = pov_vec3_of(x, y, 1.0);
+        all[i].flux = colour_of(flux, flux, flux);
+        all[i].dir[2] = 1.0f;
+        all[i].normal[2] = -1.0f;
+    }
+    assert_true(photon_map_make(m, e, all, (uint32_t)(edge * edge), 20, kernel));
+}
+
+/* The mean square of x over a disc of radius r is r^2/8 by the one kernel, and 0 by the other: what their sum is wrong by, their
+ * difference shows. */
+static void the_difference_of_the_kernels_is_what_they_blur(void **state)
+{
+    double found[2];
+    tiny s;
+
+    (void)state;
+    tiny_begin(&s, NULL);
+    for (int k = 0; k < 2; k++) {
+        photon_map m;
+
+        curve(&m, &s.env, k == 0 ? PHOTON_SMOOTH : PHOTON_SHARP);
+        found[k] = light_at(&m, 0.0, 0.0, 0.3);
+        photon_map_free(&m, &s.env);
+    }
+    assert_near(found[0], 1.0 + 0.3 * 0.3 / 8.0, 2e-4);
+    assert_near(found[1], 1.0, 2e-4);
+    tiny_end(&s);
+}
+
 static void discs_that_a_ray_passes_widen_along_it(void **state)
 {
     const photon_ray narrow = { { 0.05, 0.0, 0.0 }, { 0.0, 0.0, 1.0 }, 3.0, 0.02, 0.0 };
@@ -107,6 +148,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(narrow_discs_are_as_wide_as_samples_lie_apart),
         cmocka_unit_test(wide_discs_hold_all_light),
+        cmocka_unit_test(the_difference_of_the_kernels_is_what_they_blur),
         cmocka_unit_test(discs_that_a_ray_passes_widen_along_it),
     };
 

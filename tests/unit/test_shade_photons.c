@@ -295,6 +295,66 @@ static void the_number_of_threads_changes_no_bit(void **state)
     free(one);
 }
 
+/* ---- errors ---- */
+
+/* A piece of the caustic that is a few discs wide, where light is smooth. */
+#define PIECE \
+    "#version 3.7; global_settings { assumed_gamma 1 photons { max_trace_level 8 } }" \
+    "camera { orthographic location <.6,0,1.5> direction z right x*.1 up y*.075 }" \
+    "box { <-9,-9,2>, <9,9,3> pigment { rgb 1 } finish { ambient 0 diffuse .8 } }" GLASS "light_source { <0,0,-8> rgb 1 }"
+
+enum { SEEDS = 12, COLUMNS = 32, ROWS = 24, PIECES = COLUMNS * ROWS };
+
+/* The red of a picture of two samples a pixel; returns the error that is told. */
+static double draw_piece(const pov_scene *scene, uint32_t seed, double *red)
+{
+    pov_render_desc desc = POV_INIT(desc);
+    pov_pass row = POV_INIT(row);
+    pov_job *job;
+    static float rgba[4 * PIECES];
+    const pov_rect all = { 0, 0, COLUMNS, ROWS };
+
+    desc.width = COLUMNS;
+    desc.height = ROWS;
+    desc.samples = 2;
+    desc.seed = seed;
+    assert_int_equal(pov_job_create(&job, scene, &desc, NULL), POV_OK);
+    assert_int_equal(pov_job_start(job, NULL), POV_OK);
+    while (pov_job_wait(job, 10.0) == POV_JOB_RUNNING)
+        continue;
+    for (size_t i = 0; pov_job_get_pass(job, i, &row); i++)
+        continue;
+    pov_job_read(job, all, POV_PIXELS_LINEAR_FLOAT, rgba, 4 * COLUMNS * sizeof *rgba);
+    pov_job_destroy(job);
+    for (int i = 0; i < PIECES; i++)
+        red[i] = (double)rgba[4 * i];
+    return row.est_rmse;
+}
+
+static void each_seed_has_photons_of_its_own_and_the_error_tells_it(void **state)
+{
+    static double red[SEEDS][PIECES];
+    pov_context *context = scenes_context();
+    pov_scene *scene = scenes_text(context, PIECE);
+    double told = 0.0, square = 0.0;
+
+    (void)state;
+    for (int k = 0; k < SEEDS; k++)
+        told += pow(draw_piece(scene, (uint32_t)k, red[k]), 2.0) / SEEDS;
+    for (int i = 0; i < PIECES; i++) {
+        double mean = 0.0;
+
+        for (int k = 0; k < SEEDS; k++)
+            mean += red[k][i] / SEEDS;
+        for (int k = 0; k < SEEDS; k++)
+            square += pow(red[k][i] - mean, 2.0) / ((SEEDS - 1.0) * PIECES);
+    }
+    pov_scene_destroy(scene);
+    pov_context_destroy(context);
+    if (!(told > 0.64 * square && told < 1.5625 * square))
+        fail_msg("told %g, found %g", sqrt(told), sqrt(square));
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -309,6 +369,7 @@ int main(void)
         cmocka_unit_test(photons_light_media),
         cmocka_unit_test(without_the_setting_media_behind_a_target_are_dark),
         cmocka_unit_test(the_number_of_threads_changes_no_bit),
+        cmocka_unit_test(each_seed_has_photons_of_its_own_and_the_error_tells_it),
     };
 
     return cmocka_run_group_tests(tests, NULL, NULL);
