@@ -1,5 +1,6 @@
 #include "bvh/hierarchy.h"
 
+#include "bvh/group.h"
 #include "bvh/ray_soa.h"
 #include "bvh/traverse.h"
 
@@ -189,6 +190,94 @@ static bool visit_ranges(const pov_hierarchy *self, const pov_ray *ray, const po
     return traverse(self, ray, hits, &v);
 }
 
+/* ---- rays side by side ---- */
+
+/* State of the traversal of a group of them. */
+typedef struct packet_visit {
+    bvh_traversal traversal;     /* first: passed to leaves */
+    const hierarchy *of;
+    const pov_ray *rays[BVH_LANES];
+    uint8_t whose[BVH_LANES];    /* by lane: index of the caller's ray */
+    bool in_order;               /* lanes are indices */
+    double *limit;               /* the caller's */
+    pov_visit_rays *visit;
+    void *user;
+} packet_visit;
+
+static uint64_t to_rays(const packet_visit *v, uint64_t lanes)
+{
+    uint64_t rays = 0;
+
+    if (v->in_order)
+        return lanes;
+    for (; lanes; lanes &= lanes - 1)
+        rays |= (uint64_t)1 << v->whose[first_of64(lanes)];
+    return rays;
+}
+
+/* Those of some lanes whose rays are among these. */
+static uint64_t to_lanes(const packet_visit *v, uint64_t rays, uint64_t lanes)
+{
+    uint64_t found = 0;
+
+    if (v->in_order || rays == 0)
+        return rays & lanes;
+    for (; lanes; lanes &= lanes - 1)
+        found |= (rays >> v->whose[first_of64(lanes)] & 1) << first_of64(lanes);
+    return found;
+}
+
+static uint64_t packet_leaf(bvh_traversal *traversal, const void *at, uint64_t lanes)
+{
+    packet_visit *v = (packet_visit *)(void *)traversal;
+    const uint32_t *first = v->of->first + number_of(v->of, at);
+    uint64_t lowered = 0, rest;
+    const uint64_t ended = v->visit(v->user, first[0], first[1] - first[0], to_rays(v, lanes), &lowered);
+
+    lowered = to_lanes(v, lowered, lanes);
+    traversal->lowered |= lowered;
+    for (rest = lowered; rest; rest &= rest - 1)
+        traversal->limit[first_of64(rest)] = v->limit[v->whose[first_of64(rest)]];
+    return to_lanes(v, ended, lanes);
+}
+
+static void visit_group(packet_visit *v, const bvh_group *group, const pov_ray *const *rays, bool nearest)
+{
+    bvh_traversal *t = &v->traversal;
+    const uint64_t odd = bvh_take(t, v->rays, v->whose, rays, group->lanes, HUGE_VAL, HUGE_VAL), all = t->lanes;
+    const bvh_kernels *by = v->of->kernels;
+    uint32_t i;
+
+    v->in_order = (group->lanes & (group->lanes + 1)) == 0;
+    for (i = 0; i < t->count; i++)
+        t->limit[i] = v->limit[v->whose[i]];
+    t->lanes = all & ~odd;
+    if (t->lanes)
+        group->traverse(t);
+    t->lanes = odd;
+    if (odd)
+        (nearest ? by->nearest_single : by->any_single)(t);
+}
+
+static void visit_rays(const pov_hierarchy *self, const pov_ray *const *rays, uint32_t n, double *limit, bool nearest,
+                       pov_visit_rays *back, void *user)
+{
+    const hierarchy *h = (const hierarchy *)(const void *)self;
+    bvh_group groups[BVH_GROUPS];
+    const uint32_t count = bvh_divide(&h->tree, h->kernels, rays, n, ~(uint64_t)0 >> (BVH_LANES - n), nearest, groups);
+    packet_visit v;
+    uint32_t i;
+
+    v.traversal.tree = &h->tree;
+    v.traversal.leaf = packet_leaf;
+    v.of = h;
+    v.limit = limit;
+    v.visit = back;
+    v.user = user;
+    for (i = 0; i < count; i++)
+        visit_group(&v, &groups[i], rays, nearest);
+}
+
 /* A leaf fills a whole unit of their memory. */
 static bool each_range(const pov_hierarchy *self, bool (*range)(void *user, uint32_t first, uint32_t count), void *user)
 {
@@ -212,6 +301,7 @@ hierarchy *hierarchy_create(const env *e, const hierarchy_items *items)
     h->env = e;
     h->service.visit = visit_items;
     h->service.visit_ranges = items->order ? visit_ranges : NULL;
+    h->service.visit_rays = items->order ? visit_rays : NULL;
     h->service.each_range = items->order ? each_range : NULL;
     h->kernels = bvh_kernels_best();
     if (build(h, items))

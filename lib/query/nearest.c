@@ -96,6 +96,29 @@ SIMD_INLINE void filter(packet *p, const leaf_batch *r, uint64_t lanes)
         ask_open(p, r, &open, &instanced, open_lanes);
 }
 
+/* The same for several lanes of a batch with a single shape that takes rays side by side. */
+static void ask_together(packet *p, const leaf_batch *r, uint64_t lanes)
+{
+    uint8_t of[WORLD_MANY];
+    pairs some;
+    uint32_t i;
+
+    some.count = 0;
+    for (; lanes; lanes &= lanes - 1) {
+        i = first_of64(lanes);
+        if (!possible_of(p, i, r))
+            continue;
+        hits_of(p, i)->owner = r->object[0];
+        of[some.count] = (uint8_t)i;
+        pairs_put(&some, leaf_batch_instance(r, 0), p->rays[i], &p->hits[i]);
+    }
+    if (some.count > 0)
+        pairs_ask(p->context, r->shape, leaf_batch_class(r), &some, false);
+    for (i = 0; i < some.count; i++)
+        if (some.hits[i]->tmax < p->traversal.limit[of[i]])
+            lower(p, of[i], some.hits[i]->tmax);
+}
+
 static void ask_all(packet *p, const leaf_batch *r, uint64_t lanes)
 {
     uint32_t asked = 0, escalated = 0;
@@ -124,7 +147,9 @@ static uint64_t leaf_nearest(bvh_traversal *traversal, const void *leaf, uint64_
 
         if (lanes & ~exact)
             filter(p, r, lanes & ~exact);
-        if (exact)
+        if (packet_asks_together(p, r, exact))
+            ask_together(p, r, exact);
+        else if (exact)
             ask_all(p, r, exact);
     }
     return 0;
@@ -269,7 +294,7 @@ static uint64_t end_nearest(packet *p)
 
 uint64_t query_nearest(const world *w, query_context *k, const pov_ray *const *rays, uint32_t n, double tmax, hit *out)
 {
-    packet_group groups[PACKET_GROUPS];
+    bvh_group groups[BVH_GROUPS];
     uint64_t found;
     uint32_t count, i;
     packet p;

@@ -125,6 +125,33 @@ static uint64_t filter(packet *p, const leaf_batch *r, uint64_t lanes)
     return ended;
 }
 
+/* The same for several lanes of a batch with a single shape that takes rays side by side. */
+static uint64_t ask_together(packet *p, const leaf_batch *r, uint64_t lanes)
+{
+    const bool blocks = p->any_blocks || (r->opaque & 1);
+    uint64_t ended = 0;
+    uint8_t of[WORLD_MANY];
+    pairs some;
+
+    some.count = 0;
+    for (; lanes; lanes &= lanes - 1) {
+        const uint32_t i = first_of64(lanes);
+        pov_hits *hits = blocks ? &p->hits[i] : &p->filter_hits[i];
+
+        if (!possible_of(p, i, r))
+            continue;
+        begin_light(p, i);
+        hits->owner = r->object[0];
+        of[some.count] = (uint8_t)i;
+        pairs_put(&some, leaf_batch_instance(r, 0), p->rays[i], hits);
+    }
+    if (some.count > 0)
+        pairs_ask(p->context, r->shape, leaf_batch_class(r), &some, false);
+    for (; blocks && some.count > 0; some.count--)
+        ended |= some.hits[some.count - 1]->count > 0 ? bit_of(of[some.count - 1]) : 0;
+    return ended;
+}
+
 /* Have all rays left the only shape of a batch, so that none can hit it? */
 static inline bool is_left(const packet *p, const leaf_batch *r)
 {
@@ -145,6 +172,10 @@ static uint64_t leaf_occlusion(bvh_traversal *traversal, const void *leaf, uint6
         exact = exact_of(p, r, lanes);
         if (lanes & ~exact)
             ended |= filter(p, r, lanes & ~exact);
+        if (packet_asks_together(p, r, exact)) {
+            ended |= ask_together(p, r, exact);
+            exact = 0;
+        }
         for (; exact; exact &= exact - 1) {
             const uint32_t i = first_of64(exact);
 
@@ -296,7 +327,7 @@ static void note_exits(packet *p)
 uint64_t query_occlusion(const world *w, query_context *k, const pov_ray *const *rays, uint32_t n, double tmax,
                          occlusion *out)
 {
-    packet_group groups[PACKET_GROUPS];
+    bvh_group groups[BVH_GROUPS];
     uint64_t dark = 0;
     uint32_t count, i;
     packet p;

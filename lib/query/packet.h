@@ -3,6 +3,7 @@
 #define QUERY_PACKET_H
 
 #include "base/simd.h"
+#include "bvh/group.h"
 #include "bvh/ray_soa.h"
 #include "query/context.h"
 
@@ -99,6 +100,13 @@ static inline uint32_t possible_of(packet *p, uint32_t i, const leaf_batch *r)
     return found;
 }
 
+/* Does the only shape of a batch take several rays side by side, and are there several that filters cannot take? */
+static inline bool packet_asks_together(const packet *p, const leaf_batch *r, uint64_t lanes)
+{
+    return (lanes & (lanes - 1)) != 0 && r->count == 1 && !(r->flags & (LEAF_PACKED | LEAF_INSTANCED)) && r->shape->intersect_many &&
+           !p->from;
+}
+
 /* Set the origin surfaces of `from` when their owners are intersected: each by its own mark, others not at all. */
 void packet_name(packet *p, uint32_t owner);
 
@@ -117,12 +125,12 @@ static inline void packet_begin_hits(const packet *p, uint32_t i, pov_hits *hits
 
 /* ---- a query ---- */
 
-/* Groups of rays by the kind of traversal: as a packet, interleaved, or one after the other. */
-typedef struct packet_group { uint64_t lanes; bvh_traverse_fn *traverse; } packet_group;
-enum { PACKET_GROUPS = 9 };
 /* Divide those of the first n rays that `which` selects into groups. Returns the number of groups. */
-uint32_t packet_divide(const world *w, const pov_ray *const *rays, uint32_t n, uint64_t which, bool nearest,
-                       packet_group groups[PACKET_GROUPS]);
+static inline uint32_t packet_divide(const world *w, const pov_ray *const *rays, uint32_t n, uint64_t which, bool nearest,
+                                     bvh_group groups[BVH_GROUPS])
+{
+    return bvh_divide(w->has_tree ? &w->tree : NULL, w->kernels, rays, n, which, nearest, groups);
+}
 
 /* Begin with the rays that `which` selects; filters look up to `end`. */
 void packet_begin(packet *p, const world *w, query_context *k, const pov_ray *const *rays, uint64_t which, double tmax,

@@ -304,6 +304,17 @@ static bool visit_each(const pov_hierarchy *self, bool (*visit)(void *user, uint
     return visit_all(self, NULL, NULL, visit, user);
 }
 
+static void visit_rays(const pov_hierarchy *self, const pov_ray *const *rays, uint32_t n, double *limit, bool nearest,
+                       pov_visit_rays *visit, void *user)
+{
+    uint64_t lowered = 0;
+
+    (void)rays;
+    (void)limit;
+    (void)nearest;
+    visit(user, 0, ((const all_items *)(const void *)self)->count, ~(uint64_t)0 >> (64 - n), &lowered);
+}
+
 static const pov_hierarchy *host_hierarchy_in_order(pov_reader *in, uint32_t n,
                                                     void (*box)(void *user, uint32_t which, pov_box *out), void *user,
                                                     uint32_t *order)
@@ -318,6 +329,7 @@ static const pov_hierarchy *host_hierarchy_in_order(pov_reader *in, uint32_t n,
         order[i] = n - 1 - i;
     all->service.visit_ranges = visit_all;
     all->service.each_range = visit_each;
+    all->service.visit_rays = visit_rays;
     all->count = n;
     return &all->service;
 }

@@ -3,6 +3,7 @@
 #include "support/failing.h"
 #include "support/shapes.h"
 
+#include "base/simd.h"
 #include "bvh/hierarchy.h"
 
 #include <stdlib.h>
@@ -10,7 +11,7 @@
 
 enum { PARTS = 700, RAYS = 3000 };
 
-typedef struct fixture { pov_box boxes[PARTS]; hierarchy *made; uint32_t count; } fixture;
+typedef struct fixture { pov_box boxes[PARTS]; hierarchy *made; uint32_t count, order[PARTS]; bool in_order; } fixture;
 
 static env libc_env(void)
 {
@@ -42,7 +43,7 @@ static void make(fixture *f, const env *e, test_random *r, uint32_t count)
         f->boxes[i].lo = pov_sub(at, half);
         f->boxes[i].hi = pov_add(at, half);
     }
-    f->made = hierarchy_create(e, &(const hierarchy_items){ count, box_at, f->boxes, NULL, 1 });
+    f->made = hierarchy_create(e, &(const hierarchy_items){ count, box_at, f->boxes, f->in_order ? f->order : NULL, 1 });
     assert_non_null(f->made);
 }
 
@@ -98,7 +99,7 @@ static void no_part_that_a_ray_meets_is_left_out(void **state)
 
     (void)state;
     for (size_t c = 0; c < sizeof counts / sizeof counts[0]; c++) {
-        fixture f;
+        fixture f = { .in_order = false };
 
         make(&f, &e, &r, counts[c]);
         for (int i = 0; i < RAYS; i++) {
@@ -135,7 +136,7 @@ static void items_in_order_are_those_of_a_leaf_side_by_side(void **state)
     env e = libc_env();
     test_random r = { 13 };
     hierarchy *in_order;
-    fixture f;
+    fixture f = { .in_order = false };
 
     (void)state;
     make(&f, &e, &r, PARTS);
@@ -166,7 +167,7 @@ static void it_ends_where_it_is_told_to(void **state)
     env e = libc_env();
     test_random r = { 11 };
     uint32_t ended = 0, shortened = 0, whole = 0;
-    fixture f;
+    fixture f = { .in_order = false };
 
     (void)state;
     make(&f, &e, &r, PARTS);
@@ -213,12 +214,74 @@ static void without_memory_there_is_none_and_nothing_is_left(void **state)
     assert_true(n > 3);
 }
 
+/* ---- rays side by side ---- */
+
+enum { TOGETHER = 64 };
+
+typedef struct many_seen { const fixture *of; uint64_t item[PARTS], ended; double *limit; bool ends, closes; } many_seen;
+
+/* The even rays end at their first leaf; odd ones get shorter there. */
+static uint64_t visit_many(void *user, uint32_t first, uint32_t count, uint64_t rays, uint64_t *lowered)
+{
+    const uint64_t even = 0x5555555555555555u;
+    many_seen *s = user;
+
+    assert_int_equal(rays & s->ended, 0);
+    for (uint32_t i = first; i < first + count; i++) {
+        assert_int_equal(s->item[s->of->order[i]] & rays, 0);
+        s->item[s->of->order[i]] |= rays;
+    }
+    for (uint64_t rest = s->closes ? rays & ~even : 0; rest; rest &= rest - 1)
+        s->limit[first_of64(rest)] *= 0.5;
+    *lowered |= s->closes ? rays & ~even : 0;
+    s->ended |= s->ends ? rays & even : 0;
+    return s->ended;
+}
+
+static void check_many(const fixture *f, test_random *r, bool nearest, bool ends, bool closes)
+{
+    const pov_hierarchy *h = hierarchy_service(f->made);
+    const uint32_t n = 1 + (uint32_t)(uniform(r) * TOGETHER);
+    pov_ray rays[TOGETHER];
+    const pov_ray *at[TOGETHER];
+    double limit[TOGETHER];
+    many_seen s = { .of = f, .limit = limit, .ends = ends, .closes = closes };
+
+    for (uint32_t i = 0; i < n; i++) {
+        rays[i] = i > 0 && uniform(r) < 0.7 ? rays[i - 1] : some_ray(r);
+        at[i] = &rays[i];
+        limit[i] = uniform(r) < 0.5 ? HUGE_VAL : 2.0 / pov_largest(rays[i].dir);
+    }
+    h->visit_rays(h, at, n, limit, nearest, visit_many, &s);
+    for (uint32_t i = 0; i < n; i++)
+        for (uint32_t k = 0; k < f->count; k++)
+            assert_true((s.item[k] >> i & 1) || (s.ended >> i & 1) || !meets(&f->boxes[k], &rays[i], limit[i]));
+}
+
+static void rays_side_by_side_meet_what_each_meets(void **state)
+{
+    static const uint32_t counts[] = { 1, 2, 9, PARTS };
+    env e = libc_env();
+    test_random r = { 11 };
+
+    (void)state;
+    for (size_t c = 0; c < sizeof counts / sizeof counts[0]; c++) {
+        fixture f = { .in_order = true };
+
+        make(&f, &e, &r, counts[c]);
+        for (int i = 0; i < 200; i++)
+            check_many(&f, &r, i & 1, i & 2, i & 4);
+        hierarchy_destroy(f.made);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(no_part_that_a_ray_meets_is_left_out),
         cmocka_unit_test(items_in_order_are_those_of_a_leaf_side_by_side),
         cmocka_unit_test(it_ends_where_it_is_told_to),
+        cmocka_unit_test(rays_side_by_side_meet_what_each_meets),
         cmocka_unit_test(without_memory_there_is_none_and_nothing_is_left),
     };
 

@@ -28,18 +28,22 @@ struct pov_ray;
 typedef struct pov_reader pov_reader;
 
 typedef bool pov_visit_range(void *user, uint32_t first, uint32_t count);
+/* rays: as bits. Returns those that want no more, and adds to *lowered those whose limits it lowered. */
+typedef uint64_t pov_visit_rays(void *user, uint32_t first, uint32_t count, uint64_t rays, uint64_t *lowered);
 
 /* A bounding volume hierarchy over the items of one shape: made while the scene loads, traversed by rays. */
 typedef struct pov_hierarchy {
-    /* [render] Calls visit() for each item whose box the ray may hit from 0 to hits->tmax, usually near ones first;
-     * hits->tmax may decrease meanwhile. False: visit() returned false, which ends the traversal. The ray is in the
-     * space of the boxes. */
+    /* [render] Calls visit() for each item whose box the ray may hit from 0 to hits->tmax, which may decrease meanwhile;
+     * usually near ones first. False: visit() returned false, which ends the traversal. The ray is in the boxes' space. */
     bool (*visit)(const struct pov_hierarchy *self, const struct pov_ray *ray, const struct pov_hits *hits,
                   bool (*visit)(void *user, uint32_t item), void *user);
-    /* [render] The same, with all items of a leaf at once, as hierarchy_in_order() numbered them; and all leaves. */
+    /* [render] The same, with all items of a leaf at once, as hierarchy_in_order() numbered them; all leaves; and those of
+     * up to 64 rays side by side, to their limits; nearest: near ones first. */
     bool (*visit_ranges)(const struct pov_hierarchy *self, const struct pov_ray *ray, const struct pov_hits *hits,
                          pov_visit_range *visit, void *user);
     bool (*each_range)(const struct pov_hierarchy *self, pov_visit_range *visit, void *user);
+    void (*visit_rays)(const struct pov_hierarchy *self, const struct pov_ray *const *rays, uint32_t n, double *limit,
+                       bool nearest, pov_visit_rays *visit, void *user);
 } pov_hierarchy;
 
 /* A function of the scene, of which any thread may ask. */
@@ -70,7 +74,7 @@ typedef struct pov_function_bounds {
  * false, more() gives false and warn() says nothing, so a parse function needs no checks. */
 typedef struct pov_host {
     uint32_t abi, size;
-    void *(*alloc)(pov_reader *in, size_t bytes);   /* zeroed, lives as long as the scene; NULL after an error */
+    void *(*alloc)(pov_reader *in, size_t bytes);   /* zeroed, lives as long as the scene, as all that these give; NULL after an error */
     double (*number)(pov_reader *in);
     void (*vector)(pov_reader *in, pov_vec3 *out);
     bool (*accept)(pov_reader *in, const char *keyword);  /* a keyword or a punctuation mark */
@@ -83,11 +87,9 @@ typedef struct pov_host {
     void (*color)(pov_reader *in, double rgbft[5]);    /* red, green, blue, filter, transmit, as written */
     bool (*boolean)(pov_reader *in);                   /* on, yes, true, off, no, false, or a number: not 0 is true */
     const char *(*string)(pov_reader *in);             /* ends with a zero byte, lives as long as the scene; "" after an error */
-    /* The bytes of a file that the scene names, searched for like included files and under the same restrictions. They
-     * live as long as the scene. NULL after an error; a missing file is an error. */
+    /* The bytes of a file, searched for and restricted like included ones. NULL after an error; a missing file is an error. */
     const void *(*file)(pov_reader *in, const char *name, size_t *bytes);
-    /* A hierarchy over n boxes, at least one, finite; items are numbered like their boxes. It lives as long as the
-     * scene. NULL after an error. */
+    /* A hierarchy over n boxes, at least one, finite; items are numbered like their boxes. NULL after an error. */
     const pov_hierarchy *(*hierarchy)(pov_reader *in, const pov_box *boxes, uint32_t n);
     /* abi 4 began with these. */
     /* The heights, in 1/65536, that an image stands for: `png "name"`, a format's word or none before the name. Rows from
@@ -107,15 +109,13 @@ typedef struct pov_host {
     uint32_t (*texture)(pov_reader *in);
     bool (*next_is)(pov_reader *in, const char *word);   /* is it next? As accept(), but it stays there */
     bool (*more_numbers)(pov_reader *in);                /* does a value come next that is a number? */
-    /* The parameters and the block behind the word `function`, which has been accepted; of n parameters, unless it names
-     * its own. It lives as long as the scene. NULL after an error. */
+    /* The parameters, n unless it names its own, and the block behind the word `function`, accepted. NULL after an error. */
     const pov_function *(*function)(pov_reader *in, uint32_t n);
     /* A transformation behind those of `map`, if one is next. All zero, the map is that of no transformation. */
     bool (*transform)(pov_reader *in, pov_affine *map);
     /* As texture(), of a component that has a texture { }, or a pigment, normal and finish alone; if one of these is next. */
     bool (*component_texture)(pov_reader *in, uint32_t *out);
-    /* Bounds of what function() gave. They live as long as the scene. NULL: of some part nothing is known between points, as
-     * of noise, patterns and images. */
+    /* Bounds of what function() gave. NULL: of some part nothing is known between points, as of noise, patterns and images. */
     const pov_function_bounds *(*function_bounds)(pov_reader *in, const pov_function *f);
 } pov_host;
 

@@ -1,0 +1,140 @@
+#include "bvh/group.h"
+
+#include "bvh/ray_soa.h"
+
+#include <string.h>
+
+static inline uint64_t bit_of(uint32_t i) { return (uint64_t)1 << i; }
+static inline uint64_t all_of(uint32_t n) { return ~(uint64_t)0 >> (BVH_LANES - n); }
+
+/* ---- rays in lanes ---- */
+
+/* Lanes are processed in groups of eight; a packet too small for packet traversal, in groups of four. */
+static inline uint32_t width(uint32_t n) { return n <= 4 ? 4 : (n + 7) & ~7u; }
+
+/* True: all are in the range that filters are promised. False: that has to be looked at. */
+SIMD_CLONES static bool derive(pov_rays *restrict s, uint32_t n, double end, double *restrict length)
+{
+    int64_t all = -1;
+
+    for (uint32_t i = 0; i < n; i++)
+        all &= ray_soa_derive(s, i, end, length);
+    return all != 0;
+}
+
+SIMD_CLONES static bool are_promised(const pov_rays *restrict s, uint32_t n)
+{
+    int64_t all = -1;
+
+    for (uint32_t i = 0; i < n; i++)
+        all &= ray_soa_is_promised(s, i);
+    return all != 0;
+}
+
+/* Lanes outside that range. */
+static uint64_t derive_all(bvh_traversal *t, double end)
+{
+    uint64_t odd = 0;
+
+    if (!derive(&t->soa, width(t->count), end, t->length) && !are_promised(&t->soa, width(t->count)))
+        for (uint32_t i = 0; i < t->count; i++)
+            odd |= ray_soa_is_promised(&t->soa, i) ? 0 : bit_of(i);
+    return odd;
+}
+
+uint64_t bvh_take(bvh_traversal *t, const pov_ray *taken[BVH_LANES], uint8_t of[BVH_LANES], const pov_ray *const *rays,
+                  uint64_t which, double limit, double end)
+{
+    uint32_t n = 0, i;
+
+    if ((which & (which + 1)) == 0) {
+        n = ~which ? first_of64(~which) : BVH_LANES;
+        memcpy(taken, rays, n * sizeof *rays);
+        for (i = 0; i < n; i++)
+            of[i] = (uint8_t)i;
+        which = 0;
+    }
+    for (; which; which &= which - 1, n++) {
+        i = first_of64(which);
+        taken[n] = rays[i];
+        of[n] = (uint8_t)i;
+    }
+    for (i = n; i < width(n); i++)
+        taken[i] = taken[n - 1];
+    for (i = 0; i < width(n); i += 4)
+        ray_soa_put_four(&t->soa, i, taken + i);
+    for (i = 0; i < width(n); i++)
+        t->limit[i] = limit;
+    t->rays = t->soa.rays = taken;
+    t->in = NULL;
+    t->lowered = 0;
+    t->count = n;
+    t->lanes = all_of(n);
+    return derive_all(t, end);
+}
+
+/* ---- groups ---- */
+
+/* Smaller groups of one octant are faster as single rays, and still smaller groups of any octants one after the
+ * other. Shadow rays mostly go to one place: fewer of them are worth a packet. Where all come to one leaf, two are. */
+enum { PACKET_LEAST = 8, SHADOWS_LEAST = 5, INTERLEAVED_LEAST = 5, LEAF_LEAST = 2 };
+
+/* Has it nodes? Only these ask for rays of one octant. */
+static inline bool has_nodes(const bvh *tree) { return tree && (tree->frames[0].root & BVH_KIND) != BVH_LEAF; }
+
+/* Rays of one octant form a packet for a tree; a list takes all. Most packets are of one octant. */
+static void divide(const bvh *tree, const pov_ray *const *rays, uint32_t n, uint64_t of[8])
+{
+    const uint32_t common = has_nodes(tree) ? bvh_common_octant(rays, n) : 0;
+    uint32_t i;
+
+    for (i = 0; i < 8; i++)
+        of[i] = 0;
+    if (common < 8)
+        of[common] = all_of(n);
+    else
+        for (i = 0; i < n; i++)
+            of[bvh_octant(rays[i])] |= bit_of(i);
+}
+
+/* Are there at least so many lanes? */
+static inline bool are_at_least(uint64_t lanes, uint32_t least)
+{
+#if defined(__POPCNT__)
+    return (uint32_t)__builtin_popcountll(lanes) >= least;
+#else
+    uint32_t n;
+
+    for (n = 1; n < least; n++)
+        lanes &= lanes - 1;
+    return lanes != 0;
+#endif
+}
+
+uint32_t bvh_divide(const bvh *tree, const bvh_kernels *by, const pov_ray *const *rays, uint32_t n, uint64_t which,
+                    bool nearest, bvh_group groups[BVH_GROUPS])
+{
+    const uint32_t least = !has_nodes(tree) ? LEAF_LEAST : nearest ? PACKET_LEAST : SHADOWS_LEAST;
+    bvh_traverse_fn *const interleaved = nearest ? by->nearest_interleaved : by->any_interleaved;
+    uint64_t of[8], rest = 0;
+    uint32_t count = 0, octant;
+
+    if (n < least)
+        rest = which;
+    else
+        divide(tree, rays, n, of);
+    for (octant = 0; n >= least && octant < 8; octant++)
+        if (are_at_least(of[octant] & which, least)) {
+            groups[count].lanes = of[octant] & which;
+            groups[count++].traverse = nearest ? by->nearest_packet : by->any_packet;
+        } else {
+            rest |= of[octant] & which;
+        }
+    if (!rest)
+        return count;
+    groups[count].lanes = rest;
+    groups[count].traverse = nearest ? by->nearest_single : by->any_single;
+    if (interleaved && tree && tree->frame_count == 1 && are_at_least(rest, INTERLEAVED_LEAST))
+        groups[count].traverse = interleaved;
+    return count + 1;
+}

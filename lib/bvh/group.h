@@ -1,0 +1,20 @@
+/* group.h - rays of a query made ready for a tree, and divided into groups of one kind of traversal. */
+#ifndef BVH_GROUP_H
+#define BVH_GROUP_H
+
+#include "bvh/traverse.h"
+
+/* As a packet, interleaved, or one after the other. */
+typedef struct bvh_group { uint64_t lanes; bvh_traverse_fn *traverse; } bvh_group;
+enum { BVH_GROUPS = 9 };
+
+/* Divide those of the first n rays that `which` selects into groups. Returns the number of groups. tree: NULL for a list. */
+uint32_t bvh_divide(const bvh *tree, const bvh_kernels *by, const pov_ray *const *rays, uint32_t n, uint64_t which,
+                    bool nearest, bvh_group groups[BVH_GROUPS]);
+
+/* Take the rays that `which` selects into the lanes of a traversal: taken, and by lane the index of the caller's ray. Filters
+ * look up to `end`. Returns the lanes whose numbers are out of the range that filters and packets are promised. */
+uint64_t bvh_take(bvh_traversal *t, const pov_ray *taken[BVH_LANES], uint8_t of[BVH_LANES], const pov_ray *const *rays,
+                  uint64_t which, double limit, double end);
+
+#endif
