@@ -1,6 +1,7 @@
 #include "common/face_filter.h"
 
 #include "common/floats.h"
+#include "common/lanes.h"
 
 /* With W the largest coordinate of the point: a corner, below 2, and the point are rounded to floats, then their
  * difference is, which loses (4 + 2 W) e. The slope is at most one; it and its product lose (8 + 4 W) e. Their difference
@@ -76,6 +77,126 @@ uint32_t common_face_filter(const float *block, uint32_t count, uint32_t first, 
                                   (size_t)v->forward * n, v);
 
     return left < POV_BLOCK_MAX ? maybe & ((1u << left) - 1) : maybe;
+}
+
+/* ---- rays side by side ---- */
+
+/* Starts nearer than this need no double-double: the point is then off by less than 2^-35. */
+static const double far = 0x1p16;
+
+/* Some rays, and how they see it. */
+typedef struct view_lanes { common_rays rays; common_lane w[3], dir[3], near, size; } view_lanes;
+
+/* The point of each ray that is nearest to the anchor, seen from there. */
+COMMON_CLONES static void find_points(view_lanes *restrict l, pov_vec3 anchor, double scale)
+{
+    for (uint32_t i = 0; i < COMMON_LANES; i++) {
+        const pov_vec3 d = pov_scale(common_get(&l->rays.dir, i), scale);
+        const pov_vec3 o = pov_add(pov_sub(common_get(&l->rays.org, i), anchor), common_get(&l->rays.org_lo, i));
+        const pov_vec3 f = pov_scale(o, scale);
+        const double square = pov_dot(d, d), t = -pov_dot(f, d) / square;
+
+        l->w[0][i] = f.x + t * d.x;
+        l->w[1][i] = f.y + t * d.y;
+        l->w[2][i] = f.z + t * d.z;
+        l->dir[0][i] = d.x;
+        l->dir[1][i] = d.y;
+        l->dir[2][i] = d.z;
+        l->near[i] = t;
+        l->size[i] = square > 1e-200 && square < 1e200 ? common_greater(common_greater(fabs(f.x), fabs(f.y)), fabs(f.z)) : HUGE_VAL;
+    }
+}
+
+COMMON_CLONES static void set_views(const view_lanes *restrict l, common_face_views *restrict v, uint32_t first)
+{
+    for (uint32_t i = 0; i < COMMON_LANES; i++) {
+        const double x = l->dir[0][i], y = l->dir[1][i], z = l->dir[2][i];
+        const bool is_x = (fabs(x) > fabs(y)) & (fabs(x) > fabs(z)), is_y = !is_x & (fabs(y) > fabs(z));
+        const double per = 1.0 / (is_x ? x : is_y ? y : z);
+        const double w = common_greater(common_greater(fabs(l->w[0][i]), fabs(l->w[1][i])), fabs(l->w[2][i]));
+
+        v->point[0][first + i] = (float)l->w[0][i];
+        v->point[1][first + i] = (float)l->w[1][i];
+        v->point[2][first + i] = (float)l->w[2][i];
+        v->slope_across[first + i] = (float)((is_x ? y : is_y ? z : x) * per);
+        v->slope_up[first + i] = (float)((is_x ? z : is_y ? x : y) * per);
+        v->error[first + i] = l->size[i] < far ? 24.0f * COMMON_E * (1.0f + (float)w) : HUGE_VALF;
+        v->near[first + i] = l->near[i];
+        v->pace[first + i] = per;
+        v->forward[first + i] = is_x ? 0 : is_y ? 1 : 2;
+    }
+}
+
+void common_face_views_make(common_face_views *v, const pov_ray *const *rays, uint32_t n, pov_vec3 anchor, double scale)
+{
+    const pov_vec3 middle = pov_scale(anchor, common_inverse(scale));
+    view_lanes l;
+
+    for (uint32_t i = 0; i < n; i += COMMON_LANES) {
+        common_put_four_of(&l.rays, 0, rays + i, n - i);
+        common_put_four_of(&l.rays, 4, rays + i, n - i);
+        find_points(&l, middle, scale);
+        set_views(&l, v, i);
+    }
+}
+
+void common_face_views_set(common_face_views *v, uint32_t i, const common_view *view, double along, double unit)
+{
+    const common_face_view f = common_face_view_of(view);
+
+    for (int k = 0; k < 3; k++)
+        v->point[k][i] = f.point[k];
+    v->slope_across[i] = f.slope_across;
+    v->slope_up[i] = f.slope_up;
+    v->error[i] = f.error;
+    v->near[i] = along * unit;
+    v->pace[i] = unit / view->d[view->forward];
+    v->forward[i] = view->forward;
+}
+
+typedef struct found_lanes { common_outcomes maybe, sure; } found_lanes;
+
+/* The shares of the corners in the point are the turns by their sum. Each is off by less than six doubts by the sum, all
+ * together by that too. A depth is off by less than the error. */
+COMMON_CLONES static void find(const float *restrict a, size_t row, const common_face_views *restrict v, uint32_t ray,
+                               found_lanes *restrict may, float *restrict lo, float *restrict hi)
+{
+    const int32_t forward = v->forward[ray], across = forward < 2 ? forward + 1 : 0, up = forward > 0 ? forward - 1 : 2;
+    const common_face_view view = { across, up, forward, { v->point[0][ray], v->point[1][ray], v->point[2][ray] },
+                                    v->slope_across[ray], v->slope_up[ray], v->error[ray] };
+    const float *x = a + (size_t)across * row, *y = a + (size_t)up * row, *z = a + (size_t)forward * row;
+    const float at = view.point[forward];
+
+    for (uint32_t i = 0; i < POV_BLOCK_MAX; i++) {
+        const seen p = see(x + i, y + i, z + i, &view), q = see(x + 3 * row + i, y + 3 * row + i, z + 3 * row + i, &view);
+        const seen r = see(x + 6 * row + i, y + 6 * row + i, z + 6 * row + i, &view);
+        const float size = size_of(p) + size_of(q) + size_of(r);
+        const float doubt = size * (view.error + 8.0f * COMMON_E * size) + 2.0f * view.error * view.error;
+        const float one = turn(p, q), two = turn(q, r), three = turn(r, p);
+        const float least = common_float_lesser(common_float_lesser(one, two), three);
+        const float most = common_float_greater(common_float_greater(one, two), three);
+        const float pz = z[i] - at, qz = z[3 * row + i] - at, rz = z[6 * row + i] - at;
+        const float nearest = common_float_lesser(common_float_lesser(pz, qz), rz);
+        const float farthest = common_float_greater(common_float_greater(pz, qz), rz);
+        const float per = 1.0f / (one + two + three), depth = (two * pz + three * qz + one * rz) * per;
+        const float off = 2.0f * view.error + 12.0f * doubt * (farthest - nearest) * fabsf(per);
+
+        may->maybe.lane[i] = -!((int)(least < -doubt) & (int)(most > doubt));
+        may->sure.lane[i] = -((int)(least > doubt) | (int)(most < -doubt));
+        lo[i] = common_float_greater(depth - off, nearest - view.error);
+        hi[i] = common_float_lesser(depth + off, farthest + view.error);
+    }
+}
+
+void common_face_find(const float *block, uint32_t count, uint32_t first, const common_face_views *v, uint32_t ray,
+                      common_face_found *out)
+{
+    const uint32_t left = count - first, some = left < POV_BLOCK_MAX ? (1u << left) - 1 : (1u << POV_BLOCK_MAX) - 1;
+    found_lanes may;
+
+    find(block + first, count, v, ray, &may, out->lo, out->hi);
+    out->maybe = common_bits_of(&may.maybe, POV_BLOCK_MAX) & some;
+    out->sure = common_bits_of(&may.sure, POV_BLOCK_MAX) & out->maybe;
 }
 
 /* ---- cells ---- */

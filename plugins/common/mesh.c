@@ -10,57 +10,9 @@ bool common_mesh_bounds(const void *self, pov_box *out)
     return true;
 }
 
-/* ---- rays ---- */
-
-typedef struct search {
-    common_triangle_ray ray;
-    common_face_view view;
-    const common_mesh *mesh;
-    pov_hits *hits;
-    uint32_t left;               /* the face that the ray starts on, or none */
-} search;
-
 static const pov_vec3 *corner_of(const common_mesh *m, uint32_t face, int i)
 {
     return &m->corners[m->faces[face].at[i]];
-}
-
-static bool test_face(search *s, uint32_t face)
-{
-    const common_mesh *m = s->mesh;
-    const pov_vec3 *a = corner_of(m, face, 0), *b = corner_of(m, face, 1), *c = corner_of(m, face, 2);
-
-    return face == s->left || !common_triangle_is_hit(&s->ray, a, b, c) ||
-           common_triangle_cross(&s->ray, a, b, c, common_mark(face, 0), s->hits);
-}
-
-static bool visit_faces(void *user, uint32_t first, uint32_t count)
-{
-    search *s = user;
-    const float *block = s->mesh->blocks + (size_t)COMMON_FACE_ROWS * first;
-    uint32_t i, maybe;
-
-    for (i = 0; i < count; i += POV_BLOCK_MAX)
-        for (maybe = common_face_filter(block, count, i, &s->view); maybe; maybe &= maybe - 1)
-            if (!test_face(s, first + i + common_first_lane(maybe)))
-                return false;
-    return true;
-}
-
-void common_mesh_intersect(const void *self, const pov_ray *ray, pov_hits *hits)
-{
-    const common_mesh *m = self;
-    search s;
-
-    if (m->face_count == 0)
-        return;
-    s.mesh = m;
-    s.hits = hits;
-    s.left = ray->origin_surface == hits->owner ? ray->origin_mark.feature : m->face_count;
-    common_triangle_enter(&s.ray, ray, m->anchor, m->scale, hits->always_exact);
-    s.view = common_face_view_of(&s.ray.view);
-    m->tree->visit_ranges(m->tree, ray, hits, visit_faces, &s);
-    hits->escalated += s.ray.view.escalated;
 }
 
 /* ---- what is inside ---- */

@@ -146,9 +146,10 @@ static const common_face *keep_faces(const making *k, const common_face *of)
     return kept;
 }
 
+/* With room for a double behind them, which may be read. */
 static const void *keep_bytes(const making *k, const void *of, uint32_t count, size_t bytes)
 {
-    void *kept = of ? k->host->alloc(k->in, count * bytes) : NULL;
+    void *kept = of ? k->host->alloc(k->in, count * bytes + sizeof(double)) : NULL;
 
     if (kept)
         memcpy(kept, of, count * bytes);

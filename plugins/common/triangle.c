@@ -1,5 +1,6 @@
 #include "common/triangle.h"
 
+#include "common/lanes.h"
 #include "common/report.h"
 
 /* Starts nearer than this, in sizes of what the anchor stands for, need no double-double: the point is then off by five
@@ -30,6 +31,7 @@ void common_triangle_look(common_triangle_ray *r, bool always_exact)
     const double size = pov_largest(pov_two3_hi(r->about.f));
     const pov_vec3 w = size < near ? pov_add(pov_two3_hi(r->about.f), pov_scale(r->about.d, along)) : common_along(&r->about, along);
 
+    r->along = along;
     r->view = common_view_make(r->org, r->org_lo, &r->about, w, always_exact);
     if (size < near)
         r->view.error += 24.0 * COMMON_U * (size + pov_largest(w));
@@ -47,7 +49,7 @@ static inline double minor_of(double x, double y, double z, double w, double *er
     return x * y - z * w;
 }
 
-static plane plane_of(const pov_vec3 *a, const pov_vec3 *b, const pov_vec3 *c)
+COMMON_INLINE plane plane_of(const pov_vec3 *a, const pov_vec3 *b, const pov_vec3 *c)
 {
     const pov_vec3 e = pov_sub(*c, *a), f = pov_sub(*b, *a);
     plane p;
@@ -84,7 +86,7 @@ static common_ray about_corner(const common_triangle_ray *r, const pov_vec3 *a)
 }
 
 /* The distance to the plane: a first quotient, and its correction about the point there. */
-static common_root find_distance(const plane *p, const common_ray *k, double *first)
+COMMON_INLINE common_root find_distance(const plane *p, const common_ray *k, double *first)
 {
     const double slope = pov_dot(p->normal, k->d);
     const double slope_error = common_sum_of_sizes(p->error, k->d) +
@@ -115,6 +117,18 @@ static pov_two escalate_distance(const pov_two3 *normal, const common_ray *k, do
     return isfinite(first) ? pov_two_add_double(t, first) : t;
 }
 
+/* Of faces that are equally near the first counts, in whatever order they come. */
+static bool report(pov_hits *hits, double t, double t_lo, pov_mark mark)
+{
+    pov_crossing *at = hits->at;
+
+    if (hits->want != POV_WANT_NEAREST || hits->count == 0 || at->t != t || at->t_lo != t_lo || at->owner != hits->owner)
+        return pov_cross(hits, t, t_lo, mark);
+    if (mark.feature < at->mark.feature)
+        at->mark = mark;
+    return true;
+}
+
 bool common_triangle_cross(common_triangle_ray *r, const pov_vec3 *a, const pov_vec3 *b, const pov_vec3 *c,
                            pov_mark mark, pov_hits *hits)
 {
@@ -133,7 +147,76 @@ bool common_triangle_cross(common_triangle_ray *r, const pov_vec3 *a, const pov_
         root.t = escalate_distance(&normal, &k, first);
     }
     mark.flags |= r->view.escalated ? POV_MARK_ESCALATED : 0;
-    return !isfinite(root.t.hi) || pov_cross(hits, root.t.hi * k.unit, root.t.lo * k.unit, mark);
+    return !isfinite(root.t.hi) || report(hits, root.t.hi * k.unit, root.t.lo * k.unit, mark);
+}
+
+/* ---- side by side ---- */
+
+/* Corners by lane, with what is behind them; and distances to planes, in the units of a common_ray. */
+typedef struct face_lanes { common_rays rays; common_lane corner[3][4]; common_lane t, t_lo, error, unit; } face_lanes;
+
+static inline pov_vec3 lane_corner(const face_lanes *l, int k, uint32_t i)
+{
+    return pov_vec3_of(l->corner[k][0][i], l->corner[k][1][i], l->corner[k][2][i]);
+}
+
+static void put_faces(face_lanes *l, const common_triangle_pair *pairs, uint32_t n)
+{
+    for (uint32_t i = 0; i < COMMON_LANES; i += 4) {
+        const pov_ray *rays[4];
+
+        for (uint32_t j = 0; j < 4; j++)
+            rays[j] = pairs[common_lane_of(i + j, n)].ray;
+        common_put_four_rays(&l->rays, i, rays);
+        for (int k = 0; k < 3; k++) {
+            const void *corners[4];
+
+            for (uint32_t j = 0; j < 4; j++)
+                corners[j] = pairs[common_lane_of(i + j, n)].corner[k];
+            common_put_four_shapes(l->corner[k][0] + i, COMMON_LANES, 4, corners);
+        }
+    }
+}
+
+COMMON_CLONES static void find_distances(face_lanes *restrict l, double scale)
+{
+    for (uint32_t i = 0; i < COMMON_LANES; i++) {
+        const pov_vec3 zero = { 0.0, 0.0, 0.0 }, a = lane_corner(l, 0, i), b = lane_corner(l, 1, i), c = lane_corner(l, 2, i);
+        const pov_ray ray = common_get_ray(&l->rays, i);
+        const double power = pov_inverse_power(pov_largest(ray.dir));
+        const plane p = plane_of(&a, &b, &c);
+        common_ray k;
+        common_root root;
+        double first;
+
+        k.f = common_offset(pov_scale(ray.org, scale), pov_scale(ray.org_lo, scale), pov_two3_of(a, zero), 1.0);
+        k.d = pov_scale(ray.dir, power);
+        k.d_lo = pov_scale(ray.dir_lo, power);
+        root = find_distance(&p, &k, &first);
+        l->t[i] = root.t.hi;
+        l->t_lo[i] = root.t.lo;
+        l->error[i] = root.error;
+        l->unit[i] = power * common_inverse(scale);
+    }
+}
+
+uint32_t common_triangle_cross_many(const common_triangle_pair *pairs, uint32_t n, double scale)
+{
+    uint32_t open = 0, i;
+    face_lanes l;
+
+    put_faces(&l, pairs, n);
+    find_distances(&l, scale);
+    for (i = 0; i < n; i++) {
+        const common_root root = { { l.t[i], l.t_lo[i] }, l.error[i], 0, 0 };
+        const common_verdict verdict = common_judge(&root, l.unit[i], COMMON_FINE, pairs[i].hits);
+
+        if (verdict == COMMON_OPEN)
+            open |= 1u << i;
+        else if (verdict == COMMON_GOOD && isfinite(root.t.hi))
+            report(pairs[i].hits, root.t.hi * l.unit[i], root.t.lo * l.unit[i], common_mark(pairs[i].feature, 0));
+    }
+    return open;
 }
 
 /* ---- points ---- */

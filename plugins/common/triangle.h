@@ -13,6 +13,7 @@ typedef struct common_triangle_ray {
     common_view view;
     common_ray about;            /* the ray about the anchor */
     pov_vec3 anchor, org, org_lo;   /* scaled */
+    double along;                /* of `about`, to the point that corners are seen from */
 } common_triangle_ray;
 
 void common_triangle_enter(common_triangle_ray *r, const pov_ray *ray, pov_vec3 anchor, double scale,
@@ -65,6 +66,13 @@ static inline bool common_triangle_is_hit(common_triangle_ray *r, const pov_vec3
 /* Report the crossing of a triangle that the line of the ray hits. False: nothing more is wanted. */
 bool common_triangle_cross(common_triangle_ray *r, const pov_vec3 *a, const pov_vec3 *b, const pov_vec3 *c,
                            pov_mark mark, pov_hits *hits);
+
+/* A ray and a triangle that its line passes. */
+typedef struct common_triangle_pair { const pov_vec3 *corner[3]; const pov_ray *ray; pov_hits *hits; uint32_t feature; } common_triangle_pair;
+enum { COMMON_TRIANGLES = 8 };
+/* As common_triangle_cross() with each of up to eight pairs, side by side. Corners are read with the double behind them. Returns
+ * those that are left open, as bits. */
+uint32_t common_triangle_cross_many(const common_triangle_pair *pairs, uint32_t n, double scale);
 
 /* Do the corners lie on a line? */
 bool common_triangle_is_degenerate(const pov_vec3 *a, const pov_vec3 *b, const pov_vec3 *c);
