@@ -25,19 +25,25 @@ static double decoded(const curve *c, double v)
     return c->working ? working_of(c->working, linear) : linear;
 }
 
-/* Its brightness in float, cut down to a byte. */
-static double cut_grey(double v)
+int image_cut_grey(double v)
 {
     const float q = (float)v, grey = 0.297f * q + 0.589f * q + 0.114f * q;
 
-    return floor(255.0f * grey) / 255.0;
+    return (int)floor(255.0f * grey);
+}
+
+double image_decoded(const image_gamma *given, double v)
+{
+    const curve c = { given->is_srgb ? POV_ENCODING_SRGB : POV_ENCODING_POWER, given->number, NULL, false };
+
+    return decoded(&c, v);
 }
 
 static float value_of(const curve *c, double stored)
 {
     const double v = decoded(c, stored);
 
-    return (float)(c->is_cut ? cut_grey(v) : v);
+    return (float)(c->is_cut ? image_cut_grey(v) / 255.0 : v);
 }
 
 /* ---- which curve ---- */
@@ -54,14 +60,15 @@ static bool is_decoded(const pov_reader *in, const image *of, const image_gamma 
 
 static curve choose(const pov_reader *in, const image *of, const image_gamma *given, bool is_plain)
 {
+    const settings_parsed *working = is_plain ? NULL : &in->settings;   /* heights and values are no light */
     curve c = { POV_ENCODING_STORED, 1.0, NULL, of->is_cut };
 
     if (of->encoding == POV_ENCODING_LINEAR && !given->is_given) {
-        c.working = is_plain ? NULL : &in->settings;
+        c.working = working;
     } else if (is_decoded(in, of, given, is_plain)) {
         c.encoding = given->is_given ? given->is_srgb ? POV_ENCODING_SRGB : POV_ENCODING_POWER : of->encoding;
         c.power = given->is_given ? given->number : of->power;
-        c.working = &in->settings;
+        c.working = working;
     }
     return c;
 }

@@ -1,5 +1,6 @@
 #include "sdl/image_heights.h"
 
+#include "sdl/image_decode.h"
 #include "sdl/image_file.h"
 
 #include <string.h>
@@ -26,11 +27,13 @@ static uint16_t height_of(double grey)
 }
 
 /* An index is the high byte; so are 8 bits of red, to which green is the low one. Other colours count by their
- * brightness, and grey as it is. */
+ * brightness, and grey as it is, of 8 bits as image_map sees it. */
 static uint16_t height_at(const image *of, const unsigned char *at)
 {
     const bool is_grey = of->channels < 3;
 
+    if (of->bits == 8 && of->is_cut)
+        return (uint16_t)(257 * image_cut_grey(at[0] / 255.0));
     if (of->bits == 8)
         return (uint16_t)(at[0] << 8 | (of->colours > 0 ? 0 : is_grey ? at[0] : at[1]));
     if (of->bits == 16)
@@ -38,18 +41,41 @@ static uint16_t height_at(const image *of, const unsigned char *at)
     return height_of(65535.0 * (is_grey ? real_at(at, 0) : 0.297 * real_at(at, 0) + 0.589 * real_at(at, 1) + 0.114 * real_at(at, 2)));
 }
 
+static double level(const image *of, const image_gamma *given, const unsigned char *at, uint32_t channel)
+{
+    return image_decoded(given, of->bits == 8 ? at[channel] / 255.0 : of->bits == 16 ? wide_at(at, channel) / 65535.0
+                                                                   : (double)real_at(at, channel));
+}
+
+/* The same where a gamma is given. */
+static uint16_t decoded_height_at(const image *of, const image_gamma *given, const unsigned char *at)
+{
+    const double first = level(of, given, at, 0);
+
+    if (of->colours > 0)
+        return height_at(of, at);
+    if (of->channels < 3)
+        return of->is_cut ? (uint16_t)(257 * image_cut_grey(first)) : height_of(65535.0 * first);
+    if (of->bits == 8)
+        return height_of(255.0 * (256.0 * first + level(of, given, at, 1)));
+    return height_of(65535.0 * (0.297 * first + 0.589 * level(of, given, at, 1) + 0.114 * level(of, given, at, 2)));
+}
+
 const uint16_t *image_heights_read(pov_reader *in, uint32_t *width, uint32_t *height)
 {
-    image_gamma unused;
-    const image *of = image_file_parse(in, &unused, false);
+    image_gamma given;
+    const image *of = image_file_parse(in, &given, false);
     uint16_t *out = of ? state_alloc(in, sizeof *out * of->width * of->height, 16) : NULL;
 
     *width = *height = 0;
     if (!out)
         return NULL;
     for (uint32_t y = 0; y < of->height; y++)
-        for (uint32_t x = 0; x < of->width; x++)
-            out[(size_t)y * of->width + x] = height_at(of, of->samples + y * of->stride + x * (of->channels * of->bits / 8));
+        for (uint32_t x = 0; x < of->width; x++) {
+            const unsigned char *at = of->samples + y * of->stride + x * (of->channels * of->bits / 8);
+
+            out[(size_t)y * of->width + x] = given.is_given ? decoded_height_at(of, &given, at) : height_at(of, at);
+        }
     *width = of->width;
     *height = of->height;
     return out;

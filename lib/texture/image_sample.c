@@ -98,23 +98,12 @@ static inline pigment colour_of_pixel(const image_map *map, int64_t column, int6
     return out;
 }
 
+/* Of its red in bytes, whatever the file's numbers are. */
 static double index_of_pixel(const image_map *map, int64_t column, int64_t row)
 {
-    const image *of = map->image;
-    const unsigned char *at = pixel(of, column, row);
-    uint16_t wide;
-    float real;
+    const unsigned char *at = pixel(map->image, column, row);
 
-    if (of->is_cut)
-        return floor(255.0f * sample(map, at, 0) + 0.5f);
-    if (of->bits == 8)
-        return at[0];
-    if (of->bits == 16) {
-        memcpy(&wide, at, sizeof wide);
-        return wide >> 8;
-    }
-    memcpy(&real, at, sizeof real);
-    return floor(255.0 * real);
+    return map->palette ? at[0] : floor(255.0f * sample(map, at, 0));
 }
 
 /* ---- between pixels ---- */

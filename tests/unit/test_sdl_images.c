@@ -19,7 +19,7 @@ typedef struct bench {
 } bench;
 
 /* As a scene of scenes/test, beside whose folder of images it stands. */
-static pov_status read_scene(bench *b, const char *text)
+static pov_status read_scene_of(bench *b, const char *assumed_gamma, const char *text)
 {
     char all[2048];
     pov_error error;
@@ -29,9 +29,11 @@ static pov_status read_scene(bench *b, const char *text)
     b->plugins = registry_create(&b->env, TEST_BUILD "/lib/povtrace", &error);
     assert_non_null(b->plugins);
     model_init(&b->model, &b->env);
-    snprintf(all, sizeof all, "#version 3.7; global_settings { assumed_gamma 1 } plane { z, 0 %s }", text);
+    snprintf(all, sizeof all, "#version 3.7; global_settings { assumed_gamma %s } plane { z, 0 %s }", assumed_gamma, text);
     return reader_read(&b->model, b->plugins, all, strlen(all), TEST_ROOT "/scenes/test/of_a_test.pov", NULL, &b->error);
 }
+
+static pov_status read_scene(bench *b, const char *text) { return read_scene_of(b, "1", text); }
 
 static void end(bench *b)
 {
@@ -190,6 +192,68 @@ static void a_pigment_makes_an_image_of_its_colours(void **state)
     end(&b);
 }
 
+/* Values and heights are no light: what is given of their curve counts, and not what the scene calculates in. */
+static void values_of_images_do_not_depend_on_the_assumed_gamma(void **state)
+{
+    static const char *const gammas[] = { "", "gamma 1", "gamma 1.8", "gamma srgb" };
+    char text[256];
+    bench b;
+
+    (void)state;
+    for (size_t i = 0; i < sizeof gammas / sizeof gammas[0]; i++) {
+        float found[2];
+
+        snprintf(text, sizeof text, "pigment { image_pattern { png \"images/rings.png\" %s } color_map { [0 rgb 0] [1 rgb 1] } }", gammas[i]);
+        for (int k = 0; k < 2; k++) {
+            assert_int_equal(read_scene_of(&b, k ? "2.2" : "1", text), POV_OK);
+            found[k] = colour_at(&b, 0.01, 0.01).color.r;
+            end(&b);
+        }
+        assert_float_equal(found[0], found[1], 0.0);
+        assert_true(found[0] > 0.05f);
+    }
+}
+
+/* The lower left pixel is (19, 0, 239) in the PNG: red is the high byte, and green the low one, as the gamma says. */
+static void heights_are_decoded_by_the_gamma_that_is_given(void **state)
+{
+    static const char text[] =
+        "} #declare A = height_field { png \"images/rings.png\" }; #declare B = height_field { png \"images/rings.png\" gamma 2 };\n"
+        "#macro Check(H, Y) #if (abs(trace(H, <1e-7, 2, 1e-7>, -y).y - Y) > 2e-5) #error \"not as high\" #end #end\n"
+        "Check(A, 19 * 256 / 65536) Check(B, 362 / 65536) sphere { 0, 1";
+    bench b;
+
+    (void)state;
+    if (read_scene_of(&b, "2.2", text) != POV_OK)
+        fail_msg("%s", b.error.message);
+    end(&b);
+}
+
+/* 19 is 1 with a gamma of 2. */
+static void numbers_of_textures_are_decoded_too(void **state)
+{
+    static const char text[] =
+        "texture { material_map { png \"images/rings.png\" gamma %s texture { pigment { rgb .25 } } texture { pigment { rgb .5 } }\n"
+        "texture { pigment { rgb .75 } } texture { pigment { rgb 1 } } } }";
+    static const struct { const char *gamma; uint32_t number; } cases[] = { { "1", 19 % 4 }, { "2", 1 } };
+    char scene[512];
+    bench b;
+
+    (void)state;
+    for (size_t i = 0; i < 2; i++) {
+        static texture_points points;
+        texture_term term[4];
+
+        snprintf(scene, sizeof scene, text, cases[i].gamma);
+        assert_int_equal(read_scene(&b, scene), POV_OK);
+        memset(&points, 0, sizeof points);
+        texture_point(NULL, pov_vec3_of(0.01, 0.01, 0.0), pov_vec3_of(0.0, 0.0, 0.0), 0, &points);
+        assert_int_equal(texture_eval(&b.model, b.model.materials.items[b.model.leaves.items[0].material].texture, &points, 1, term), 1);
+        assert_true(term[0].pigment.color.r == 0.25f * (float)(cases[i].number + 1));
+        end(&b);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -201,6 +265,9 @@ int main(void)
         cmocka_unit_test(between_pixels_every_method_meets_them),
         cmocka_unit_test(a_function_makes_an_image_of_grey),
         cmocka_unit_test(a_pigment_makes_an_image_of_its_colours),
+        cmocka_unit_test(values_of_images_do_not_depend_on_the_assumed_gamma),
+        cmocka_unit_test(heights_are_decoded_by_the_gamma_that_is_given),
+        cmocka_unit_test(numbers_of_textures_are_decoded_too),
     };
 
     return cmocka_run_group_tests_name("images in scenes", tests, NULL, NULL);
