@@ -32,6 +32,8 @@ static void run_version(pov_reader *in, const place *at)
     if (!in->failed && must_end && in->token.kind != ';')
         report_warn(in, &in->value, "since version 3.5 a \"#version\" ends with \";\"");
     in->version = in->settings.version = version;
+    if (!in->settings.has_noise_generator)
+        in->model->noise_generator = version < 3.5 ? 1 : 2;
     state_accept(in, ';');
 }
 

@@ -477,13 +477,13 @@ bool formula_compile(pov_reader *in, symbol *const *parameters, uint32_t count, 
 
 bool formula_internal(pov_reader *in, uint32_t number, program *out)
 {
-    const program_host host = { noise_function_find(number), noise_function_find(number) ? noise_of(in) : NULL };
+    const program_host host = { noise_function_find(number), in->model };
     compiler c;
 
     memset(&c, 0, sizeof c);
     c.in = in;
     c.next = c.most = internal_arguments(number);
-    if (host.value)
+    if (host.value && noise_of(in))
         emit_host(&c, 0, 0, host, 0);
     else
         emit(&c, PROGRAM_INTERNAL, 0, 0, number);

@@ -205,8 +205,6 @@ void parse_settings_finish(pov_reader *in)
     m->opacity_uses_filter_colour = is_povray && !is_new;
     m->fresnel_metallic = is_povray;
     m->upper_layers_are_colourless = is_old;
-    if (is_old && !in->settings.has_noise_generator)
-        m->noise_generator = 1;
     m->opaque_last_level = m->opaque_dark_filters = is_povray;
     m->background = m->sky_colour.color;
     if (!is_povray || is_new)

@@ -22,6 +22,14 @@ static double between(double value, double low, double high)
     return low == high ? value : (value - low) / (high - low);
 }
 
+/* What lies beyond 0..1 begins again before its wave is made, which other patterns' values do not. */
+static double folded(double v)
+{
+    const double rest = v < 0.0 || v > 1.0 ? fmod(v, 1.0) : v;
+
+    return rest < 0.0 ? rest + 1.0 : rest;
+}
+
 /* The lengths of both vectors are weights of the angle and of the height. */
 static void evaluate_slope(const pattern_input *in, double *value)
 {
@@ -30,11 +38,11 @@ static void evaluate_slope(const pattern_input *in, double *value)
     const double steep = sqrt(pov_dot(s->direction, s->direction)), high = sqrt(pov_dot(s->altitude, s->altitude));
 
     for (uint32_t i = 0; i < in->n; i++) {
-        const double v = between(angle_value(pov_dot(lanes_at(in->normal, i), direction)), s->low, s->high);
+        double v = between(angle_value(pov_dot(lanes_at(in->normal, i), direction)), s->low, s->high);
 
-        value[i] = v;
         if (high > 0.0)
-            value[i] = (steep * v + high * between(pov_dot(lanes_at(in->at, i), up), s->low_altitude, s->high_altitude)) / (steep + high);
+            v = (steep * v + high * between(pov_dot(lanes_at(in->at, i), up), s->low_altitude, s->high_altitude)) / (steep + high);
+        value[i] = folded(v);
     }
 }
 

@@ -179,6 +179,31 @@ static void formulas_ask_patterns_pigments_and_maps(void **state)
     reading_end(&r);
 }
 
+/* f_noise3d is noise as patterns have it: by the scene's generator, or the version's. */
+static void noise_of_formulas_has_the_generator_of_the_scene(void **state)
+{
+    static const struct { const char *text; double value; } cases[] = {
+        { "#version 3.7;", 0.4171920327 },
+        { "#version 3.1;", 0.29924290901 },
+        { "#version 3.7; global_settings { noise_generator 1 }", 0.29924290901 },
+        { "#version 3.1; global_settings { noise_generator 3 }", 0.6522608537 },
+    };
+    (void)state;
+
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        static text t;
+        reading r;
+
+        t.used = 0;
+        put(&t, "%s\n#declare F = function { internal(76) }\n#declare G = function { pattern { bozo } }\n", cases[i].text);
+        put(&t, "#debug str(F(.1, .2, .3), 0, 10)\n#debug str(G(.1, .2, .3), 0, 10)\n");
+        read_text(&r, &t);
+        assert_near(printed(&r, 0), cases[i].value, 1e-7);
+        assert_near(printed(&r, 1), cases[i].value, 1e-7);
+        reading_end(&r);
+    }
+}
+
 /* As in POV-Ray: where images begin again the pixels to the right and above count, and one that is there once has all its
  * edges. */
 static void images_begin_at_their_lower_left_corner(void **state)
@@ -226,6 +251,7 @@ int main(void)
         cmocka_unit_test(every_pavement_and_penroses_tilings_have_their_measured_values),
         cmocka_unit_test(every_warp_moves_points_as_measured),
         cmocka_unit_test(formulas_ask_patterns_pigments_and_maps),
+        cmocka_unit_test(noise_of_formulas_has_the_generator_of_the_scene),
         cmocka_unit_test(images_begin_at_their_lower_left_corner),
         cmocka_unit_test(patterns_that_need_a_surface_have_no_function),
     };

@@ -278,9 +278,35 @@ static void wrong_textures_are_refused(void **state)
     }
 }
 
+static void slopes_begin_again_before_their_waves_are_made(void **state)
+{
+    const pov_vec3 zero = pov_vec3_of(0, 0, 0), up = pov_vec3_of(0, 1, 0);
+    static const struct { const char *slope; double value; } cases[] = { { "y, 0, .4", .125 }, { "-y, .7, .9", .125 }, { "y", .25 } };
+    char text[256];
+    (void)state;
+
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        texture_points points;
+        texture_term t[TERMS_MAX];
+        reading r;
+
+        snprintf(text, sizeof text, "#version 3.7; sphere { 0, 1 pigment { slope { %s } frequency .25 color_map { [0 rgb 0] [1 rgb 1] } } }",
+                 cases[i].slope);
+        read_text(&r, text);
+        memset(&points, 0, sizeof points);
+        texture_point(NULL, zero, zero, 0, &points);
+        points.has_surface = true;
+        lanes_put(&points.normal, 0, up);
+        assert_int_equal(texture_eval(&r.model, material_of(&r, 0)->texture, &points, 1, t), 1);
+        assert_term(t, true, 1.0, cases[i].value, cases[i].value, cases[i].value);
+        reading_end(&r);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(slopes_begin_again_before_their_waves_are_made),
         cmocka_unit_test(layers_follow_one_another_from_the_top),
         cmocka_unit_test(an_opaque_layer_hides_what_is_below),
         cmocka_unit_test(a_map_of_textures_gives_shares_of_two),
