@@ -17,7 +17,8 @@ typedef struct pattern {
     turbulence turbulence;
     wave wave;
     int noise_generator;         /* 0: the scene's */
-    bool uv;                     /* points are the surface's uv coordinates instead */
+    bool uv;                     /* points are the surface's uv coordinates instead; what moves it later does nothing */
+    bool uv_turns;               /* bumps on them turn with the object: it was said of a whole texture */
     uint32_t map;                /* number in the model's map table of the transformations behind the last warp; last: it
                                   * is set when the pattern is first used */
 } pattern;

@@ -93,7 +93,7 @@ static void read_pigment(pov_reader *in, function *f)
 {
     f->kind = FUNCTION_PIGMENT;
     state_advance(in);
-    f->pigment = parse_pigment_node(in);
+    f->pigment = parse_pigment_upon(in, NULL);
     if (!in->failed)
         textures_settle_pigment(in, f->pigment);
 }

@@ -28,7 +28,7 @@ typedef struct sky_reading { sky_sphere sky; const pigment_node *layers[SKY_LAYE
 static void read_layer(pov_reader *in, void *self, keyword_id keyword)
 {
     sky_reading *r = self;
-    const pigment_node *p = parse_pigment_node(in);
+    const pigment_node *p = parse_pigment_upon(in, NULL);
 
     (void)keyword;
     if (r->sky.count == SKY_LAYERS)

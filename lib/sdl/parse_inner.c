@@ -116,6 +116,6 @@ bool parse_inner(pov_reader *in, const pattern_class *class, void *self, block *
     if (class == &pattern_object)
         read_object(in, self);
     else
-        ((pigment_pattern *)self)->pigment = parse_pigment_content(in, VALUE_PIGMENT, in->defaults->pigment, '}');
+        ((pigment_pattern *)self)->pigment = parse_pigment_content(in, VALUE_PIGMENT, NULL, '}');
     return true;
 }

@@ -45,8 +45,12 @@ void parse_pattern_begin(pattern_reading *r)
 
 void parse_pattern_take(pattern_reading *r, const pattern *p)
 {
+    const bool uv = r->parsed.pattern.uv;
+
     parse_pattern_begin(r);
     r->parsed = *textures_parsed(p);
+    r->stays = p->uv;
+    r->parsed.pattern.uv |= uv;
     r->parsed.pattern.self = r->self.bytes;
     if (p->self)
         memcpy(r->self.bytes, p->self, p->class->self_size);
@@ -276,7 +280,10 @@ static void read_warp(pov_reader *in, void *self, keyword_id keyword)
 
 static void read_move(pov_reader *in, void *self, keyword_id keyword)
 {
-    parse_transform(in, &((pattern_reading *)self)->parsed.moves, keyword);
+    pattern_reading *r = self;
+    const transform *none = NULL;
+
+    parse_transform(in, r->stays ? &none : &r->parsed.moves, keyword);
 }
 
 static void read_other(pov_reader *in, void *self, keyword_id keyword)

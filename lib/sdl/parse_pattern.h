@@ -8,6 +8,7 @@
 /* A pattern that is being read. Modifiers may come before it. */
 typedef struct pattern_reading {
     pattern_parsed parsed;       /* class NULL: no pattern was there yet */
+    bool stays;                  /* it is of a name, and on uv coordinates: what moves it now does nothing */
     bool is_open;                /* the block behind its word goes on with a list */
     block block;
     union { double align; unsigned char bytes[PATTERN_SELF_MAX]; } self;

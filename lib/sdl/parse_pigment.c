@@ -59,9 +59,11 @@ static void take_node(pov_reader *in, void *self, const value *v)
 {
     const pigment_node *from = v->as.part;
     pigment_reading *r = self;
+    const bool uv = r->pattern.parsed.pattern.uv;
 
     (void)in;
     parse_pattern_begin(&r->pattern);
+    r->pattern.parsed.pattern.uv = uv;
     take_base(r, from);
     r->has_colour = false;       /* another one may follow */
 }

@@ -151,6 +151,7 @@ static const texture *make_whole(pov_reader *in, texture_reading *r)
     memset(&whole, 0, sizeof whole);
     whole.blend = r->pattern.parsed.pattern.class == &pattern_average ? BLEND_AVERAGE :
                   r->map.values ? BLEND_MAP : BLEND_LIST;
+    r->pattern.parsed.pattern.uv_turns = r->pattern.parsed.pattern.uv;
     whole.pattern = parse_pattern_end(in, &r->pattern);
     whole.count = r->map.count;
     whole.values = r->map.values;
@@ -169,11 +170,13 @@ static void take_texture(pov_reader *in, void *self, const value *v)
     const surface_parsed *from = v->as.part;
     texture_reading *r = self;
     const interior kept = r->surface->material.interior;
+    const bool uv = r->pattern.parsed.pattern.uv;
 
     (void)in;
     *r->surface = *from;
     r->surface->material.interior = kept;
     parse_pattern_begin(&r->pattern);
+    r->pattern.parsed.pattern.uv = uv;
     if (from->whole)
         take_whole(r, from->whole);
 }
@@ -212,7 +215,7 @@ static void finish_texture(pov_reader *in, texture_reading *r)
     if (r->pattern.parsed.pattern.uv) {
         s->pigment = textures_uv_pigment(in, s->pigment);
         s->normal = textures_uv_normal(in, s->normal);
-        s->under = textures_uv(in, s->under);
+        s->under = textures_uv(in, s->under, true);
     }
 }
 
@@ -428,8 +431,8 @@ static void make_material(pov_reader *in, const surface_parsed *s, material *out
         return;
     }
     if (s->uv)
-        outside = textures_uv(in, outside);
-    settle(in, outside, s->uv ? textures_uv(in, s->inside) : s->inside);
+        outside = textures_uv(in, outside, false);
+    settle(in, outside, s->uv ? textures_uv(in, s->inside, false) : s->inside);
     *out = in->textured;
     out->interior = s->material.interior;
 }

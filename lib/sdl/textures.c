@@ -83,7 +83,7 @@ const pigment_node *textures_constant(pov_reader *in, const pigment *p)
 /* ---- changed ones ---- */
 
 /* What is done to each pattern: transformations behind it, or uv coordinates for its points. */
-typedef struct change { const transform *moves; bool uv; } change;
+typedef struct change { const transform *moves; bool uv, uv_turns; } change;
 
 static const pattern *change_pattern(pov_reader *in, const pattern *p, const change *by)
 {
@@ -92,9 +92,12 @@ static const pattern *change_pattern(pov_reader *in, const pattern *p, const cha
     if (!p)
         return NULL;
     own = *textures_parsed(p);
-    if (by->moves)
+    if (by->moves && !own.pattern.uv)
         parse_append_transforms(in, &own.moves, by->moves, NULL);
-    own.pattern.uv |= by->uv;
+    if (by->uv) {
+        own.pattern.uv = true;
+        own.pattern.uv_turns = by->uv_turns;
+    }
     return textures_pattern(in, &own);
 }
 
@@ -159,30 +162,33 @@ static const texture *change_texture(pov_reader *in, const texture *t, const cha
 
 const pigment_node *textures_move_pigment(pov_reader *in, const pigment_node *p, const transform *moves)
 {
-    const change by = { moves, false };
+    const change by = { moves, false, false };
 
     return moves ? change_pigment(in, p, &by) : p;
 }
 
 const normal_node *textures_move_normal(pov_reader *in, const normal_node *n, const transform *moves)
 {
-    const change by = { moves, false };
+    const change by = { moves, false, false };
 
     return moves ? change_normal(in, n, &by) : n;
 }
 
 const texture *textures_move(pov_reader *in, const texture *t, const transform *moves)
 {
-    const change by = { moves, false };
+    const change by = { moves, false, false };
 
     return moves ? change_texture(in, t, &by) : t;
 }
 
-static const change upon_uv = { NULL, true };
+static const change upon_uv = { NULL, true, false }, upon_turned_uv = { NULL, true, true };
 
 const pigment_node *textures_uv_pigment(pov_reader *in, const pigment_node *p) { return change_pigment(in, p, &upon_uv); }
-const normal_node *textures_uv_normal(pov_reader *in, const normal_node *n) { return change_normal(in, n, &upon_uv); }
-const texture *textures_uv(pov_reader *in, const texture *t) { return change_texture(in, t, &upon_uv); }
+const normal_node *textures_uv_normal(pov_reader *in, const normal_node *n) { return change_normal(in, n, &upon_turned_uv); }
+const texture *textures_uv(pov_reader *in, const texture *t, bool turns)
+{
+    return change_texture(in, t, turns ? &upon_turned_uv : &upon_uv);
+}
 
 /* ---- drafts ---- */
 

@@ -31,7 +31,8 @@ const texture *textures_move(pov_reader *in, const texture *t, const transform *
 /* The same upon the surface's uv coordinates. */
 const pigment_node *textures_uv_pigment(pov_reader *in, const pigment_node *p);
 const normal_node *textures_uv_normal(pov_reader *in, const normal_node *n);
-const texture *textures_uv(pov_reader *in, const texture *t);
+/* turns: bumps turn with the object. */
+const texture *textures_uv(pov_reader *in, const texture *t, bool turns);
 
 /* Quick pictures are asked for, and what things are in them. */
 bool textures_are_drafts(const pov_reader *in);

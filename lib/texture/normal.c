@@ -310,31 +310,51 @@ static void to_objects(const texture_points *points, uint32_t n, vec_lanes *norm
     }
 }
 
-static void through_blends(const model *m, const normal_blend *b, uint32_t n, vec_lanes *normal, bool back)
+/* A blend of textures is scaled, whatever its members say: where it matters to them their normals come in as unit ones. */
+static void enter_blends(const model *m, const normal_blend *b, uint32_t n, bool is_scaled, vec_lanes *normal)
 {
     normal_map map;
 
     if (!b)
         return;
-    if (!back)
-        through_blends(m, b->around, n, normal, false);
+    enter_blends(m, b->around, n, is_scaled, normal);
     if (map_of_pattern(m, b->pattern, &map))
-        (back ? leave_all : enter_all)(&map, n, normal);
-    if (back)
-        through_blends(m, b->around, n, normal, true);
+        enter_all(&map, n, normal);
+    if (!is_scaled)
+        make_unit(n, normal);
+}
+
+static void leave_blends(const model *m, const normal_blend *b, uint32_t n, vec_lanes *normal)
+{
+    normal_map map;
+
+    for (; b; b = b->around)
+        if (map_of_pattern(m, b->pattern, &map))
+            leave_all(&map, n, normal);
+}
+
+/* Of the normal, or of the outermost blend that it is in. */
+static const pattern *outermost(const normal_node *of, const normal_blend *around)
+{
+    const pattern *last = of ? of->pattern : NULL;
+
+    for (; around; around = around->around)
+        last = around->pattern;
+    return last;
 }
 
 void normal_eval(const model *m, const normal_node *of, const normal_blend *around, const texture_points *points,
                  uint32_t n, vec_lanes *normal)
 {
-    /* Bumps on uv coordinates do not turn with the object, as in POV-Ray. */
-    const bool turns = !(of && of->pattern && of->pattern->uv && points->has_surface);
+    /* As in POV-Ray. */
+    const pattern *first = outermost(of, around);
+    const bool turns = !(first && first->uv && !first->uv_turns && points->has_surface);
 
     if (turns)
         to_objects(points, n, normal, false);
-    through_blends(m, around, n, normal, false);
+    enter_blends(m, around, n, !of || of->is_scaled, normal);
     eval(m, of, points, n, true, normal);
-    through_blends(m, around, n, normal, true);
+    leave_blends(m, around, n, normal);
     if (turns)
         to_objects(points, n, normal, true);
     make_unit(n, normal);

@@ -86,6 +86,39 @@ static void transformations_of_a_pigment_and_of_its_texture_move_it(void **state
     reading_end(&r);
 }
 
+/* As in POV-Ray: uv coordinates of a pigment of its own stay where they are; of a whole texture they are moved. */
+static void what_stands_on_uv_coordinates_is_moved_within_its_own_block_only(void **state)
+{
+    reading r;
+
+    (void)state;
+    read_text(&r, "#version 3.7; sphere { 0, 1 texture { pigment { uv_mapping square scale 2 } } }\n"
+                  "sphere { 0, 1 texture { pigment { uv_mapping square scale 2 } scale 3 rotate y*90 } }\n"
+                  "sphere { 0, 1 texture { uv_mapping pigment { square } scale 2 } }\n"
+                  "#declare P = pigment { square scale 2 }; sphere { 0, 1 pigment { uv_mapping P } }\n"
+                  "#declare U = pigment { uv_mapping P }; sphere { 0, 1 pigment { U scale 3 } }\n"
+                  "#declare T = texture { pigment { P } }; sphere { 0, 1 texture { uv_mapping T } }");
+    assert_int_equal(r.model.kept_maps.count, 1);
+    for (size_t i = 1; i < 6; i++)
+        assert_ptr_equal(material_of(&r, i)->texture->pigment->pattern, material_of(&r, 0)->texture->pigment->pattern);
+    reading_end(&r);
+}
+
+/* Only pigments of surfaces begin with the default one. */
+static void pigments_of_the_sky_and_of_functions_do_not_begin_with_the_default(void **state)
+{
+    reading r;
+
+    (void)state;
+    read_text(&r, "#version 3.7; #default { pigment { square scale 5 } }\n"
+                  "sky_sphere { pigment { square } }\n"
+                  "#declare F = function { pigment { gradient x } }\n"
+                  "#declare G = function { pattern { pigment_pattern { gradient x } } }\n"
+                  "#if (abs(F(.25, 0, 0).red - .25) > 1e-6 | abs(G(.25, 0, 0) - .25) > 1e-6) #error \"moved\" #end\n");
+    assert_null(map_table_at(&r.model.kept_maps, r.model.sky->layers[0]->pattern->map));
+    reading_end(&r);
+}
+
 static void transformations_of_an_object_move_the_texture_that_stands_before_them(void **state)
 {
     inverse_map space;
@@ -153,6 +186,8 @@ int main(void)
         cmocka_unit_test(a_list_replaces_the_colours_that_it_gives),
         cmocka_unit_test(a_mandel_of_another_exponent_is_grey),
         cmocka_unit_test(transformations_of_a_pigment_and_of_its_texture_move_it),
+        cmocka_unit_test(what_stands_on_uv_coordinates_is_moved_within_its_own_block_only),
+        cmocka_unit_test(pigments_of_the_sky_and_of_functions_do_not_begin_with_the_default),
         cmocka_unit_test(transformations_of_an_object_move_the_texture_that_stands_before_them),
         cmocka_unit_test(members_of_unions_stand_in_the_space_that_their_texture_was_written_in),
         cmocka_unit_test(copies_share_their_texture_and_linear_map),

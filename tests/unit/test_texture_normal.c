@@ -21,7 +21,7 @@ static pov_vec3 perturbed(const char *text, pov_vec3 at, pov_vec3 normal)
     const inverse_map *map;
     reading r;
 
-    snprintf(scene, sizeof scene, "#version 3.7; sphere { 0, 1 pigment { rgb 1 } %s }", text);
+    snprintf(scene, sizeof scene, "#version 3.7; sphere { 0, 1 %s %s }", strstr(text, "texture") ? "" : "pigment { rgb 1 }", text);
     reading_begin(&r, scene);
     if (r.status != POV_OK)
         fail_msg("%s: %s", text, r.error.message);
@@ -30,6 +30,7 @@ static pov_vec3 perturbed(const char *text, pov_vec3 at, pov_vec3 normal)
     map = model_texture_map(&r.model, 0, &space);
     texture_point(map, at, zero, 0, &points);
     points.linear[0] = map ? map->linear : NULL;
+    lanes_put(&points.uv, 0, place);
     lanes_put(&points.normal, 0, normal);
     lanes_put(&points.view, 0, pov_scale(normal, -1.0));
     assert_int_equal(texture_eval(&r.model, r.model.materials.items[0].texture, &points, 1, &term), 1);
@@ -127,6 +128,33 @@ static void a_list_without_scaled_bumps_has_no_members_with_them(void **state)
                   plus(plus(up, x, -1.0 / 3.0), z, -1.0));
 }
 
+/* As in POV-Ray a texture that has members is scaled as a whole, whatever their bumps say. */
+static void textures_scale_the_bumps_of_their_members(void **state)
+{
+    const pov_vec3 at = pov_scale(place, 4.0);
+    (void)state;
+
+    assert_normal(perturbed("texture { average texture_map { [1 normal { bumps 1 no_bump_scale }] } scale 4 }", at, up),
+                  plus(up, noise_there, 1.0));
+    assert_normal(perturbed("texture { average texture_map { [1 normal { bumps 1 scale 2 no_bump_scale }] } scale 2 }", at, up),
+                  plus(up, noise_there, 0.5));
+}
+
+/* A whole texture's turn with the object, as in POV-Ray; bumps on uv coordinates of their own and an object's do not. */
+static void bumps_on_uv_coordinates_turn_with_what_they_were_said_of(void **state)
+{
+    const pov_vec3 z = { 0.0, 0.0, 1.0 }, x = { 1.0, 0.0, 0.0 }, y = { 0.0, -1.0, 0.0 };
+    (void)state;
+
+    assert_normal(perturbed("normal { uv_mapping gradient x 1 } rotate z*-90", place, z), plus(z, x, -0.4 / 3.0));
+    assert_normal(perturbed("texture { uv_mapping normal { gradient x 1 } } rotate z*-90", place, z), plus(z, y, -0.4 / 3.0));
+    assert_normal(perturbed("uv_mapping texture { normal { gradient x 1 } } rotate z*-90", place, z), plus(z, x, -0.4 / 3.0));
+    assert_normal(perturbed("uv_mapping texture { average texture_map { [1 normal { gradient x 1 }] } } rotate z*-90", place, z),
+                  plus(z, x, -0.4 / 3.0));
+    assert_normal(perturbed("texture { uv_mapping average texture_map { [1 normal { gradient x 1 }] } } rotate z*-90", place, z),
+                  plus(z, y, -0.4 / 3.0));
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -136,6 +164,8 @@ int main(void)
         cmocka_unit_test(objects_take_their_bumps_along),
         cmocka_unit_test(maps_mix_unit_normals),
         cmocka_unit_test(a_list_without_scaled_bumps_has_no_members_with_them),
+        cmocka_unit_test(textures_scale_the_bumps_of_their_members),
+        cmocka_unit_test(bumps_on_uv_coordinates_turn_with_what_they_were_said_of),
     };
 
     return cmocka_run_group_tests(tests, NULL, NULL);
