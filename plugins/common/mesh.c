@@ -87,6 +87,24 @@ void common_mesh_normal(const void *self, const pov_ray *ray, const pov_crossing
         *out = pov_scale(*out, -1.0);
 }
 
+void common_mesh_normal_many(const void *const *selves, const pov_ray *const *rays, const pov_crossing *const *at,
+                             pov_vec3 *const *out, uint32_t n)
+{
+    (void)rays;
+    for (uint32_t some; n > 0; n -= some, selves += some, at += some, out += some) {
+        const pov_vec3 *corner[COMMON_TRIANGLES][3];
+
+        some = n < COMMON_TRIANGLES ? n : COMMON_TRIANGLES;
+        for (uint32_t i = 0; i < some; i++)
+            for (int k = 0; k < 3; k++)
+                corner[i][k] = corner_of(selves[i], face_of(selves[i], &at[i]->mark), k);
+        common_triangle_normals((const pov_vec3 *const(*)[3])corner, some, out);
+        for (uint32_t i = 0; i < some; i++)
+            if (is_turned(selves[i], face_of(selves[i], &at[i]->mark)))
+                *out[i] = pov_scale(*out[i], -1.0);
+    }
+}
+
 static void shares_of(const common_mesh *m, uint32_t face, pov_vec3 point, pov_vec3 point_lo, double share[3])
 {
     common_triangle_shares(corner_of(m, face, 0), corner_of(m, face, 1), corner_of(m, face, 2),
@@ -116,9 +134,11 @@ uint32_t common_mesh_shading_normals(const void *self, pov_vec3 point, pov_vec3 
     double of_corner[3];
 
     *share = 1.0;
+    if (!at && !is_turned(m, face))
+        return 0;
     if (!at) {
         *normal = pov_unit(written_normal(m, face));
-        return is_turned(m, face);
+        return 1;
     }
     shares_of(m, face, point, point_lo, of_corner);
     return common_triangle_blend((const pov_vec3[3]){ m->normals[at[0]], m->normals[at[1]], m->normals[at[2]] }, of_corner,

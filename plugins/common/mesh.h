@@ -60,6 +60,8 @@ bool common_mesh_is_turned(const common_mesh *m, uint32_t face);
 bool common_mesh_bounds(const void *self, pov_box *out);
 void common_mesh_intersect(const void *self, const pov_ray *ray, pov_hits *hits);
 void common_mesh_intersect_many(const void *const *selves, const pov_ray *const *rays, pov_hits *const *hits, uint32_t n);
+void common_mesh_normal_many(const void *const *selves, const pov_ray *const *rays, const pov_crossing *const *at,
+                             pov_vec3 *const *out, uint32_t n);
 const void *common_mesh_extension(const char *name);
 void common_mesh_normal(const void *self, const pov_ray *ray, const pov_crossing *at, pov_vec3 *out);
 bool common_mesh_inside(const void *self, pov_vec3 point, pov_vec3 point_lo);

@@ -203,6 +203,10 @@ void common_mesh_intersect_many(const void *const *selves, const pov_ray *const 
     }
 }
 
-static const pov_shape_fast mesh_fast = { .size = sizeof(pov_shape_fast), .intersect_many = common_mesh_intersect_many };
+static const pov_shape_fast mesh_fast = {
+    .size = sizeof(pov_shape_fast),
+    .intersect_many = common_mesh_intersect_many,
+    .normal_many = common_mesh_normal_many,
+};
 
 const void *common_mesh_extension(const char *name) { return common_is_fast(name) ? &mesh_fast : NULL; }

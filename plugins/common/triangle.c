@@ -160,21 +160,23 @@ static inline pov_vec3 lane_corner(const face_lanes *l, int k, uint32_t i)
     return pov_vec3_of(l->corner[k][0][i], l->corner[k][1][i], l->corner[k][2][i]);
 }
 
+static void put_corners(face_lanes *l, uint32_t i, int k, const pov_vec3 *a, const pov_vec3 *b, const pov_vec3 *c, const pov_vec3 *d)
+{
+    const void *const corners[4] = { a, b, c, d };
+
+    common_put_four_shapes(l->corner[k][0] + i, COMMON_LANES, 4, corners);
+}
+
 static void put_faces(face_lanes *l, const common_triangle_pair *pairs, uint32_t n)
 {
     for (uint32_t i = 0; i < COMMON_LANES; i += 4) {
-        const pov_ray *rays[4];
+        const common_triangle_pair *a = &pairs[common_lane_of(i, n)], *b = &pairs[common_lane_of(i + 1, n)];
+        const common_triangle_pair *c = &pairs[common_lane_of(i + 2, n)], *d = &pairs[common_lane_of(i + 3, n)];
+        const pov_ray *const rays[4] = { a->ray, b->ray, c->ray, d->ray };
 
-        for (uint32_t j = 0; j < 4; j++)
-            rays[j] = pairs[common_lane_of(i + j, n)].ray;
         common_put_four_rays(&l->rays, i, rays);
-        for (int k = 0; k < 3; k++) {
-            const void *corners[4];
-
-            for (uint32_t j = 0; j < 4; j++)
-                corners[j] = pairs[common_lane_of(i + j, n)].corner[k];
-            common_put_four_shapes(l->corner[k][0] + i, COMMON_LANES, 4, corners);
-        }
+        for (int k = 0; k < 3; k++)
+            put_corners(l, i, k, a->corner[k], b->corner[k], c->corner[k], d->corner[k]);
     }
 }
 
@@ -236,6 +238,36 @@ pov_vec3 common_triangle_normal(const pov_vec3 *a, const pov_vec3 *b, const pov_
     const plane p = plane_of(a, b, c);
 
     return is_precise(&p) ? p.normal : pov_two3_hi(exact_normal(a, b, c));
+}
+
+/* certain: where pov_unit() needs no scaling, and the normal is no small difference. */
+COMMON_CLONES static void find_normals(const face_lanes *restrict l, common_lane3 *restrict out, common_lane *restrict certain)
+{
+    for (uint32_t i = 0; i < COMMON_LANES; i++) {
+        const pov_vec3 a = lane_corner(l, 0, i), b = lane_corner(l, 1, i), c = lane_corner(l, 2, i);
+        const plane p = plane_of(&a, &b, &c);
+        const double size = pov_largest(p.normal), length = sqrt(pov_dot(p.normal, p.normal));
+
+        out->x[i] = p.normal.x / length;
+        out->y[i] = p.normal.y / length;
+        out->z[i] = p.normal.z / length;
+        (*certain)[i] = size >= 1e-120 && size <= 1e120 && is_precise(&p) ? 1.0 : 0.0;
+    }
+}
+
+void common_triangle_normals(const pov_vec3 *const corner[COMMON_TRIANGLES][3], uint32_t n, pov_vec3 *const *out)
+{
+    common_lane certain;
+    common_lane3 unit;
+    face_lanes l;
+
+    for (uint32_t i = 0; i < COMMON_LANES; i += 4)
+        for (int k = 0; k < 3; k++)
+            put_corners(&l, i, k, corner[common_lane_of(i, n)][k], corner[common_lane_of(i + 1, n)][k],
+                        corner[common_lane_of(i + 2, n)][k], corner[common_lane_of(i + 3, n)][k]);
+    find_normals(&l, &unit, &certain);
+    for (uint32_t i = 0; i < n; i++)
+        *out[i] = certain[i] > 0.0 ? common_get(&unit, i) : pov_unit(common_triangle_normal(corner[i][0], corner[i][1], corner[i][2]));
 }
 
 void common_triangle_shares(const pov_vec3 *a, const pov_vec3 *b, const pov_vec3 *c, pov_vec3 point, pov_vec3 point_lo,

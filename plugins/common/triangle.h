@@ -74,6 +74,9 @@ enum { COMMON_TRIANGLES = 8 };
  * those that are left open, as bits. */
 uint32_t common_triangle_cross_many(const common_triangle_pair *pairs, uint32_t n, double scale);
 
+/* Unit normals of up to eight faces by their corners, as pov_unit() of common_triangle_normal() has them. */
+void common_triangle_normals(const pov_vec3 *const corner[COMMON_TRIANGLES][3], uint32_t n, pov_vec3 *const *out);
+
 /* Do the corners lie on a line? */
 bool common_triangle_is_degenerate(const pov_vec3 *a, const pov_vec3 *b, const pov_vec3 *c);
 /* (c - a) x (b - a), of any length: the corners run clockwise, seen from where it points. */
