@@ -45,7 +45,7 @@ static inline bool is_before(const pov_crossing *a, const pov_crossing *b)
 }
 
 /* There are few. */
-static void sort(pov_crossing *at, uint32_t count)
+void fade_sort(pov_crossing *at, uint32_t count)
 {
     for (uint32_t i = 1; i < count; i++) {
         const pov_crossing one = at[i];
@@ -83,7 +83,7 @@ void fade_crossings(const shading *scene, const interior_walk *around, const pov
     interior_walk w = *around;
     double before = 0.0;
 
-    sort(at, count);
+    fade_sort(at, count);
     for (uint32_t i = 0; i < count; i++) {
         const uint32_t solid = shading_solid(scene, at[i].owner);
         const interior *in = dielectric_interior(scene->model, solid);

@@ -2,6 +2,7 @@
 
 #include "light/aim.h"
 #include "shade/air.h"
+#include "shade/fade.h"
 #include "shade/photons.h"
 #include "shade/spawn.h"
 #include "shade/transmittance.h"
@@ -22,40 +23,77 @@ static media_segment segment_of(const pov_ray *ray, double from, double to)
 
 /* ---- light on its way ---- */
 
+/* Across a crossing of a ray. */
+static void walk_over(const shading *scene, interior_walk *w, const pov_ray *ray, const pov_crossing *at)
+{
+    hit h = { .object = at->owner, .crossing = *at };
+
+    if (shading_info(scene, at->owner)->filled)
+        world_surface(scene->world, ray, &h);
+    walk_cross(scene, w, at->owner, h.entering);
+}
+
 void haze_dim(const shading *scene, interior_walk *w, const pov_ray *ray, const pov_crossing *at, uint32_t count, double by[3])
 {
     double before = 0.0;
     media_set set;
 
     for (uint32_t i = 0; i < count; i++) {
-        hit h = { .object = at[i].owner, .crossing = at[i] };
-
         walk_media(scene, w, &set);
         if (set.count > 0 && at[i].t > before) {
             const media_segment s = segment_of(ray, before, at[i].t);
 
             take(by, media_transmittance(scene->model, &set, &s));
         }
-        if (shading_info(scene, at[i].owner)->filled)
-            world_surface(scene->world, ray, &h);
-        walk_cross(scene, w, at[i].owner, h.entering);
+        walk_over(scene, w, ray, &at[i]);
         before = at[i].t;
     }
 }
 
-void haze_attenuate(const shade_context *c, const light *from, const pov_ray *ray, double tmax, colour *through)
+static void attenuate_by_fog(const shading *scene, const interior_walk *w, const pov_ray *ray, double from, double to, colour *through)
 {
+    const media_segment s = segment_of(ray, from, to);
+
+    if (scene->model->fogs.count > 0 && w->solids == 0 && to > from)
+        *through = colour_mul(*through, air_fog_dims(scene, s.from, s.dir, s.length));
+}
+
+static void attenuate_by_atmosphere(const shading *scene, const pov_ray *ray, double to, colour *through)
+{
+    const media_segment s = segment_of(ray, 0.0, to);
     media_set set;
-    media_segment s;
+
+    walk_atmosphere(scene, 0, &set);
+    if (set.count > 0 && to > 0.0)
+        *through = colour_mul(*through, media_transmittance(scene->model, &set, &s));
+}
+
+/* As in POV-Ray: fog dims what lies in no solid. The atmosphere dims each piece that ends at a surface, in solids too, and the last
+ * one if that lies in none. */
+void haze_attenuate(const shade_context *c, const light *from, const path *p, const pov_ray *ray, double tmax, colour *through)
+{
+    const shading *scene = c->scene;
+    double before = 0.0;
+    occlusion found;
+    interior_walk w;
 
     if (!(from->flags & LIGHT_ATTENUATED))
         return;
-    s = segment_of(ray, 0.0, tmax);
-    if (c->scene->model->fogs.count > 0)
-        *through = colour_mul(*through, air_fog_dims(c->scene, s.from, s.dir, s.length));
-    walk_atmosphere(c->scene, 0, &set);
-    if (set.count > 0)
-        *through = colour_mul(*through, media_transmittance(c->scene->model, &set, &s));
+    walk_begin(c, p, &w);
+    found.crossed = 0;
+    if (scene->plan->transmission)
+        query_occlusion(scene->world, c->context, &ray, 1, tmax, &found);
+    if (found.crossed)
+        fade_sort(found.at[0], found.count[0]);
+    for (uint32_t i = 0; found.crossed && i < found.count[0]; i++) {
+        const pov_crossing *at = &found.at[0][i];
+
+        attenuate_by_fog(scene, &w, ray, before, at->t, through);
+        walk_over(scene, &w, ray, at);
+        before = at->t;
+    }
+    attenuate_by_fog(scene, &w, ray, before, tmax, through);
+    attenuate_by_atmosphere(scene, ray, w.solids == 0 ? tmax : before, through);
 }
 
 /* ---- light that is scattered to a path ---- */
@@ -145,7 +183,7 @@ static colour add_visible(beams *b, uint32_t part, const media_random *random)
     for (lit &= transmittance_find(c, b->rays, b->from, b->samples.count, end, through); lit; lit &= lit - 1) {
         const uint32_t i = first_of64(lit);
 
-        haze_attenuate(c, l, &b->own[i], end.tmax, &through[i]);
+        haze_attenuate(c, l, b->path, &b->own[i], end.tmax, &through[i]);
         sum = colour_add(sum, colour_mul(b->samples.value[i], through[i]));
     }
     return sum;

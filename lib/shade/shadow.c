@@ -96,13 +96,13 @@ void shadow_keep_crossing(lighting *l, const light *from, double tmax)
         l->of[l->count++] = l->of[first_of64(through)];
 }
 
-/* Light that the atmosphere dims on its whole way. */
+/* Light that the atmosphere and fog dim. */
 static void attenuate(const lighting *l, const light *from, double tmax, uint64_t lit, colour *through)
 {
     for (; lit; lit &= lit - 1) {
         const uint32_t i = first_of64(lit);
 
-        haze_attenuate(l->context, from, l->rays[i], tmax, &through[i]);
+        haze_attenuate(l->context, from, l->on->at[l->of[i]].from, l->rays[i], tmax, &through[i]);
     }
 }
 

@@ -484,6 +484,7 @@ pov_status compile_objects(compile_state *f, const model *m, world *const *parts
     f->env = m->env;
     f->model = m;
     f->use_blocks = use_blocks;
+    f->located = plan_attenuates(m);
     f->parts = parts;
     f->part_count = m->parts.count;
     for (size_t i = 0; i < m->materials.count; i++)

@@ -118,6 +118,15 @@ static bool any_scatters(const model *m)
     return any;
 }
 
+bool plan_attenuates(const model *m)
+{
+    bool any = false;
+
+    for (size_t i = 0; i < m->lights.count; i++)
+        any = any || (m->lights.items[i].flags & LIGHT_ATTENUATED);
+    return any && (m->atmosphere || m->fogs.count > 0);
+}
+
 static void derive_needs(plan *p, const model *m, const plan_counts *s)
 {
     p->media = s->filled > 0 || m->atmosphere;
@@ -134,7 +143,7 @@ static void derive_needs(plan *p, const model *m, const plan_counts *s)
     p->refraction = s->refracting > 0 || s->filled > 0;
     p->dispersion = s->dispersive > 0;
     p->fading = s->fading > 0;
-    p->located = s->located > 0;
+    p->located = s->located > 0 || (s->transparent > 0 && plan_attenuates(m));
     p->hidden = s->hidden > 0;
     p->radiosity = m->radiosity.given && s->diffuse > 0;
     p->photons = p->lighting && s->targets > 0 && s->photon_lights > 0;

@@ -46,6 +46,8 @@ pov_status plan_make(plan *p, const model *m, pov_error *err);
 bool plan_is_solid(const leaf_node *o);
 /* Is it a solid that is not hollow? */
 bool plan_is_filled(const leaf_node *o);
+/* Do the atmosphere or fog dim some light, by where it crosses surfaces? */
+bool plan_attenuates(const model *m);
 /* Can rays be inside it? Any transparent solid: one without an interior { } is a bubble of ior 1. */
 bool plan_is_dielectric(const model *m, const leaf_node *o);
 

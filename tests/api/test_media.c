@@ -183,6 +183,32 @@ static void media_throw_shadows(void **state)
 #undef LIT
 }
 
+/* From the wall at 4 to the lamp at -6, over two surfaces at -1 and -2; the camera is at -10. */
+static void fog_and_the_atmosphere_dim_light_by_piece(void **state)
+{
+#define LAMP "light_source { <0, 0, -6> rgb 1 parallel point_at <0, 0, 1> media_attenuation on }"
+#define SEEN "plane { z, 4 hollow pigment { rgb 1 } finish { ambient 0 diffuse 1 } }" LAMP
+    static const char *const air = "media { absorption 0.1 }", *const fog = "fog { rgb 0 distance 10 }";
+    char text[2048];
+
+    (void)state;
+    for (int k = 0; k < 2; k++) {
+        const char *by = k == 0 ? air : fog;
+
+        snprintf(text, sizeof text, "%s plane { z, 4 pigment { rgb 1 } finish { ambient 0 diffuse 1 } }" LAMP, by);
+        assert_grey(text, 1.0, exact);
+        snprintf(text, sizeof text, "%s plane { z, 4 pigment { rgb 1 } finish { ambient 0 diffuse 1 } }"
+                 "box { <-1, -1, -2>, <1, 1, -1> no_image pigment { rgbt 1 } finish { ambient 0 diffuse 0 } }" LAMP, by);
+        assert_grey(text, k == 0 ? exp(-0.6) : 1.0, exact);
+        snprintf(text, sizeof text, "%s" SEEN "box { <-1, -1, -2>, <1, 1, -1> no_image pigment { rgbt 1 } finish { ambient 0 diffuse 0 } }", by);
+        assert_grey(text, k == 0 ? exp(-2.4) : exp(-2.3), exact);
+        snprintf(text, sizeof text, "%s" SEEN "box { <-1, -1, -9>, <1, 1, -1> no_image pigment { rgbt 1 } finish { ambient 0 diffuse 0 } }", by);
+        assert_grey(text, exp(-1.9), exact);
+    }
+#undef SEEN
+#undef LAMP
+}
+
 /* Sampled media, with densities that vary, in shadow and light. */
 static void pictures_are_the_same_with_any_number_of_threads(void **state)
 {
@@ -211,6 +237,7 @@ int main(void)
         cmocka_unit_test(phases_of_several_media_are_averaged),
         cmocka_unit_test(some_lights_give_nothing_to_media),
         cmocka_unit_test(media_throw_shadows),
+        cmocka_unit_test(fog_and_the_atmosphere_dim_light_by_piece),
         cmocka_unit_test(pictures_are_the_same_with_any_number_of_threads),
     };
 
