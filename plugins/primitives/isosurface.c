@@ -111,14 +111,17 @@ static void find_cells(isosurface *s, const pov_host *host, pov_reader *in)
                        "max_gradient must not be too low");
 }
 
+/* Where they are not given. */
+static const double ACCURACY = 0x1p-10, GRADIENT = 1.1;
+
 static void parse(void *self, const pov_host *host, pov_reader *in)
 {
     isosurface *s = self;
 
     s->lo = pov_vec3_of(-1.0, -1.0, -1.0);
     s->hi = pov_vec3_of(1.0, 1.0, 1.0);
-    s->accuracy = 0x1p-10;
-    s->gradient = 1.1;
+    s->accuracy = ACCURACY;
+    s->gradient = GRADIENT;
     while (read_item(s, host, in))
         continue;
     if (!s->function || s->function->parameters != 3)
@@ -126,7 +129,9 @@ static void parse(void *self, const pov_host *host, pov_reader *in)
     else if (s->function->memory > MEMORY)
         host->fail(in, "this function is too large for an isosurface");
     if (!(s->gradient > 0.0) || !(s->accuracy > 0.0))
-        host->fail(in, "max_gradient and accuracy must be above 0");
+        host->warn(in, "max_gradient and accuracy must be above 0: what is not is taken as if it were left out");
+    s->gradient = s->gradient > 0.0 ? s->gradient : GRADIENT;
+    s->accuracy = s->accuracy > 0.0 ? s->accuracy : ACCURACY;
     s->size = pov_largest(pov_sub(s->hi, s->lo));
     s->accuracy = fmin(s->accuracy, 0x1p-9 * s->size);
     find_cells(s, host, in);

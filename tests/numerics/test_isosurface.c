@@ -407,11 +407,23 @@ static void a_jump_is_a_surface_and_the_border_of_a_domain_is_none(void **user)
     assert_true(fabs(h.t[0] - (3.0 - exp(-0.3))) < 1e-12);
 }
 
+/* As in POV-Ray. */
+static void a_gradient_or_accuracy_of_zero_is_as_if_left_out(void **user)
+{
+    const pov_vec3 org = { 3.0, 0.3, 0.2 }, dir = { -1.0, 0.0, 0.0 };
+    pov_vec3 normal;
+    hits h;
+
+    (void)user;
+    assert_int_equal(hits_of("x - 0.25 } max_gradient 0 accuracy 0 contained_by { box { -1, 1 }", org, dir, &h, &normal), 2);
+}
+
 int main(int argc, char **argv)
 {
     const struct CMUnitTest tests[] = { cmocka_unit_test(no_ray_slips_through_and_crossings_are_where_they_are),
                                         cmocka_unit_test(the_picture_is_the_same_whatever_max_gradient_says),
-                                        cmocka_unit_test(a_jump_is_a_surface_and_the_border_of_a_domain_is_none) };
+                                        cmocka_unit_test(a_jump_is_a_surface_and_the_border_of_a_domain_is_none),
+                                        cmocka_unit_test(a_gradient_or_accuracy_of_zero_is_as_if_left_out) };
 
     if (argc > 1)
         rays = strtol(argv[1], NULL, 10);
