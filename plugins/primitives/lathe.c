@@ -187,7 +187,7 @@ typedef struct line {
 
 /* Rays that rise less than this are level; less than that, stretches of the curve are cut out first, with BESIDE_BOX of the ray before
  * and behind the box. */
-static const double LEVEL = 0x1p-26, SLOW = 0x1p-10, BESIDE_BOX = 0.25, NEAR = 0x1p-30, BESIDE_START = 0x1p-10;
+static const double LEVEL = 0x1p-40, SLOW = 0x1p-6, BESIDE_BOX = 0.25, NEAR = 0x1p-30, BESIDE_START = 0x1p-10;
 
 static void make_line(line *n, const common_ray *k, common_span span)
 {
@@ -346,6 +346,52 @@ static double stretch_equation(const line *n, const part *p, double from, double
     return 0x1p-50 * sum + 0x1p-53 * fabs(n->per_height);
 }
 
+/* Of a stretch that is this short and rises all the way, powers of its length above the second do not count. */
+static const double SHORT = 0x1p-14;
+
+static bool is_short(const part *p, double from, double to, double rise)
+{
+    double v[2], w[2], slope[2];
+
+    if (!(from > 0.0 && to < 1.0 && to - from < SHORT))
+        return false;
+    common_piece_at(&p->curve, from, v, slope);
+    common_piece_at(&p->curve, to, w, slope);
+    return fabs(w[1] - v[1]) > 0.9 * rise;
+}
+
+static double bend_at(const double *b, uint32_t degree, double u)
+{
+    const double first = degree > 1 ? b[0] - 2.0 * b[1] + b[2] : 0.0;
+
+    return degree < 3 ? 2.0 * first : 6.0 * (first * (1.0 - u) + (b[1] - 2.0 * b[2] + b[3]) * u);
+}
+
+/* With the radius r + s slope + s^2 bend from where the stretch has the height of the line at s = 0. */
+static void cross_short(const line *n, const part *p, uint32_t piece, const double *start, double u, common_cross *out, uint32_t *count)
+{
+    const common_piece *c = &p->curve;
+    double v[2], w[2], turns, slope, bend, a, half, rest;
+
+    for (int turn = 0; turn < 4; turn++) {
+        common_piece_at(c, u, v, w);
+        u += (n->o.y - v[1]) / w[1];
+    }
+    common_piece_at(c, u, v, w);
+    turns = n->d.y / w[1];
+    slope = w[0] * turns;
+    bend = 0.5 * (bend_at(c->x, c->degree, u) - w[0] / w[1] * bend_at(c->y, c->degree, u)) * turns * turns;
+    a = n->a - slope * slope - 2.0 * v[0] * bend;
+    half = n->b - v[0] * slope;
+    rest = half * half - a * (n->c - v[0] * v[0]);
+    for (int sign = -1; sign <= 1 && (start || rest >= 0.0); sign += start ? 4 : 2) {
+        const double s = start ? n->base / n->unit - 2.0 * half / a : (sign * sqrt(rest) - half) / a;
+        const common_cross at = { s, u + s * turns, piece };
+
+        out[(*count)++] = at;
+    }
+}
+
 static void cross_slow(const line *n, const part *p, uint32_t piece, const double *start, common_cross *out, uint32_t *count)
 {
     const double one = n->o.y + n->d.y * (n->span.lo - BESIDE_BOX), other = n->o.y + n->d.y * (n->span.hi + BESIDE_BOX);
@@ -362,6 +408,10 @@ static void cross_slow(const line *n, const part *p, uint32_t piece, const doubl
         common_piece_at(&p->curve, from + 0.5 * length, v, slope);
         if (!(length > 0.0 && v[1] >= low && v[1] <= high))
             continue;
+        if (is_short(p, from, cut[k + 1], high - low) && *count + 2 <= room) {
+            cross_short(n, p, piece, has_start ? start : NULL, from + 0.5 * length, out, count);
+            continue;
+        }
         noise = stretch_equation(n, p, from, cut[k + 1], b);
         if (has_start)
             common_bernstein_divide(b, p->order, (*start - from) / length, q);
