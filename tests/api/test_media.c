@@ -80,6 +80,9 @@ static void a_scale_moves_densities_and_not_strengths(void **state)
 
     assert_grey("box { <-1, -1, 0>, <1, 1, 1>" CLEAR "interior { media { emission 0.2 scale 3 } } scale 2 }" WALL("4", "rgb 0"), 0.4,
                 exact);
+    /* Each place is dimmed by what lies before it, not as if all of its way were as dense. */
+    assert_grey("box { <-1, -1, 0>, <1, 1, 1>" CLEAR "interior { media { method 2 samples 200, 200 emission 0.3 absorption 1 density { gradient z } } } }"
+                WALL("4", "rgb 0"), 0.3 * (1.0 - exp(-0.5)), 1e-3);
     /* 1 from z = 0.5 on, once the density has moved there with the box. */
     assert_grey("box { <-1, -1, 0>, <1, 1, 1>" CLEAR "interior { media { emission 1 density { planar scale 1e6 } } } translate z }"
                 WALL("4", "rgb 0"), 1.0, 1e-5);
