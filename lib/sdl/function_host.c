@@ -4,6 +4,8 @@
 #include "sdl/spline.h"
 #include "texture/points.h"
 
+#include <string.h>
+
 static pov_vec3 vector_of(const double *at) { return pov_vec3_of(at[0], at[1], at[2]); }
 
 static void put_point(const double *at, texture_points *out)
@@ -13,19 +15,37 @@ static void put_point(const double *at, texture_points *out)
 }
 
 /* In functions ripples and waves have their usual number of sources, whatever the settings say. */
+static void find_values(const function *f, const texture_points *points, uint32_t n, double *found)
+{
+    pattern_input in;
+    vec_lanes own;
+
+    points_place(f->model, f->pattern, points, n, &own, NULL);
+    in = points_input(f->model, f->pattern, points, &own, n);
+    in.waves = NOISE_WAVES;
+    points_values(&in, found);
+}
+
 static double value_of_pattern(const function *f, const double *at)
 {
     SIMD_ALIGNED double found[LANES_MAX];
     texture_points points;
-    pattern_input in;
-    vec_lanes own;
 
     put_point(at, &points);
-    points_place(f->model, f->pattern, &points, 1, &own, NULL);
-    in = points_input(f->model, f->pattern, &points, &own, 1);
-    in.waves = NOISE_WAVES;
-    points_values(&in, found);
+    find_values(f, &points, 1, found);
     return found[0];
+}
+
+void function_host_values(const function *f, const vec_lanes *at, uint32_t n, double *out)
+{
+    SIMD_ALIGNED double found[LANES_MAX];
+    texture_points points;
+
+    points.has_surface = false;
+    for (uint32_t i = 0; i < n; i++)
+        texture_point(NULL, lanes_at(at, i), pov_vec3_of(0.0, 0.0, 0.0), i, &points);
+    find_values(f, &points, n, found);
+    memcpy(out, found, n * sizeof *out);
 }
 
 void function_host_colour(const function *f, const double *at, double out[5])

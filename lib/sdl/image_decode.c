@@ -73,6 +73,11 @@ static curve choose(const pov_reader *in, const image *of, const image_gamma *gi
     return c;
 }
 
+static bool is_stored(const curve *c)
+{
+    return c->encoding == POV_ENCODING_STORED && !c->is_cut && (!c->working || working_is_linear(c->working));
+}
+
 /* ---- tables ---- */
 
 static const float *make_table(pov_reader *in, const curve *c, uint32_t bits)
@@ -143,8 +148,10 @@ void image_decode(pov_reader *in, image_map *map, const image_gamma *given, cons
 
     if (of->colours > 0)
         map->palette = make_palette(in, map, &c, alphas);
+    else if (is_stored(&c))
+        map->decoded = NULL;
     else if (of->bits < 32)
         map->decoded = make_table(in, &c, of->bits);
-    else if (c.encoding != POV_ENCODING_STORED || (c.working && !working_is_linear(c.working)))
+    else
         map->image = make_floats(in, of, &c);
 }

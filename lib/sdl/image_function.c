@@ -37,6 +37,24 @@ static void fill(const pov_function *f, const image *of, uint16_t *samples, doub
         }
 }
 
+/* Patterns are asked for many pixels at once. */
+static void fill_pattern(const function *f, const image *of, uint16_t *samples)
+{
+    SIMD_ALIGNED double found[LANES_MAX];
+    vec_lanes at;
+
+    for (uint32_t row = 0; row < of->height; row++)
+        for (uint32_t from = 0; from < of->width; from += LANES_MAX) {
+            const uint32_t n = of->width - from < LANES_MAX ? of->width - from : LANES_MAX;
+
+            for (uint32_t i = 0; i < n; i++)
+                lanes_put(&at, i, pov_vec3_of(place_of(from + i, of->width), place_of(row, of->height), 0.0));
+            function_host_values(f, &at, n, found);
+            for (uint32_t i = 0; i < n; i++)
+                samples[(size_t)row * of->width + from + i] = sample_of(found[i]);
+        }
+}
+
 /* The filter of a pigment is not kept, as POV-Ray has it. */
 static void fill_colours(const function *f, const image *of, uint16_t *samples)
 {
@@ -79,6 +97,8 @@ const image *image_function_parse(pov_reader *in, bool colours)
         return NULL;
     if (colours)
         fill_colours(host_function_of(f), out, samples);
+    else if (host_function_of(f)->kind == FUNCTION_PATTERN)
+        fill_pattern(host_function_of(f), out, samples);
     else
         fill(f, out, samples, memory);
     out->samples = (unsigned char *)samples;

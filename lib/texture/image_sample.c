@@ -56,10 +56,10 @@ static inline float sample(const image_map *map, const unsigned char *at, uint32
     float real;
 
     if (map->image->bits == 8)
-        return map->decoded[at[channel]];
+        return map->decoded ? map->decoded[at[channel]] : (float)(at[channel] / 255.0);
     if (map->image->bits == 16) {
         memcpy(&wide, at + 2 * channel, sizeof wide);
-        return map->decoded[wide];
+        return map->decoded ? map->decoded[wide] : (float)(wide / 65535.0);
     }
     memcpy(&real, at + 4 * channel, sizeof real);
     return real;

@@ -254,6 +254,28 @@ static void numbers_of_textures_are_decoded_too(void **state)
     }
 }
 
+/* Patterns are asked for many pixels at once, formulas that call them for one. */
+static void a_pattern_makes_the_image_of_a_formula_that_calls_it(void **state)
+{
+    static const char *const made[] = { "pattern { bozo scale .2 turbulence .3 }", "F(x, y, z) + 0 * x" };
+    static float found[2][70];
+    char text[256];
+    bench b;
+
+    (void)state;
+    for (int k = 0; k < 2; k++) {
+        snprintf(text, sizeof text, "} #declare F = function { %s }; plane { z, 0 pigment { image_map { function 70, 3 { %s } } }", made[0], made[k]);
+        assert_int_equal(read_scene(&b, text), POV_OK);
+        b.model.leaves.items[0] = b.model.leaves.items[1];
+        for (int i = 0; i < 70; i++)
+            found[k][i] = colour_at(&b, (i + 0.5) / 70.0, 0.4).color.r;
+        end(&b);
+    }
+    for (int i = 0; i < 70; i++)
+        assert_float_equal(found[0][i], found[1][i], 0.0);
+    assert_true(found[0][0] != found[0][69]);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -268,6 +290,7 @@ int main(void)
         cmocka_unit_test(values_of_images_do_not_depend_on_the_assumed_gamma),
         cmocka_unit_test(heights_are_decoded_by_the_gamma_that_is_given),
         cmocka_unit_test(numbers_of_textures_are_decoded_too),
+        cmocka_unit_test(a_pattern_makes_the_image_of_a_formula_that_calls_it),
     };
 
     return cmocka_run_group_tests_name("images in scenes", tests, NULL, NULL);
