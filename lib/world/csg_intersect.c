@@ -13,12 +13,13 @@ static double cosine_at(const csg_traversal *w, const pov_crossing *at) { return
 
 /* ---- places ---- */
 
+/* Next to the start a fraction of the distance tells nothing. */
 static bool shares_point(const csg_traversal *w, const pov_crossing *first, const pov_crossing *next)
 {
     const double between = (next->t - first->t) + (next->t_lo - first->t_lo);
     double a, b;
 
-    if (between > CSG_SEPARATION * fabs(first->t))
+    if (between > CSG_SEPARATION * fabs(first->t) && first->t * w->dir > CSG_SEPARATION * w->size)
         return false;
     a = cosine_at(w, first);
     b = cosine_at(w, next);

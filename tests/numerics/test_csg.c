@@ -134,18 +134,23 @@ static void *parse(const scene *s, const probe *p, const shape_class *shape)
     return self;
 }
 
+static node_ref add_probe(scene *s, const probe *p, uint32_t flags)
+{
+    const shape_class *shape = fake_reader_shape(probe_keyword(p->kind));
+
+    return test_add(&s->model, shape, parse(s, p, shape), NULL, 0, flags);
+}
+
 static node_ref add_member(scene *s)
 {
     const uint32_t which = (uint32_t)s->model.leaves.count;
-    const shape_class *shape;
     probe *p = &s->probes[which];
 
     if (which > 0 && U() < (s->tori ? 0.8 : 0.33 * s->on_grid))
         *p = s->probes[below(which)];
     else
         make_member(s, p);
-    shape = fake_reader_shape(probe_keyword(p->kind));
-    return test_add(&s->model, shape, parse(s, p, shape), NULL, 0, U() < 0.1 ? LEAF_INVERSE : 0);
+    return add_probe(s, p, U() < 0.1 ? LEAF_INVERSE : 0);
 }
 
 /* complement: it is taken of something around it. */
@@ -539,6 +544,46 @@ static void judge_trees(long count, bool tori, double least_shared)
     assert_int_equal(all.wrong, 0);
 }
 
+/* Around a box whose top touches that of a sphere, which is within what a far ball leaves and so counts for nothing but the owner: a ray
+ * that starts in the box's side crosses both at the top, 2^-60 farther, at distances that differ by 2^-100. */
+static void a_place_next_to_the_start_is_shared(void **state)
+{
+    static const probe ball = { .kind = SPHERE, .count = 4, .size = 1.0, .number = { -0.75, -0.5, 0.25, 1.25 } };
+    static const probe far = { .kind = SPHERE, .count = 4, .size = 1.0, .number = { 9.0, 0.0, 0.0, 1.0 } };
+    static const probe brick = { .kind = BOX, .count = 6, .size = 1.0, .number = { -0.75, -0.5, -0.25, -0.25, 0.75, 0.5 } };
+    const world_options options = { .accel = POV_ACCEL_NONE, .threads = 1 };
+    const group_node merge = { .op = NODE_MERGE, .line = 1, .column = 1 };
+    const group_node both = { .op = NODE_INTERSECTION, .inverse = true, .line = 1, .column = 1 };
+    const pov_ray ray = { .org = { -0.75, 0.75, 0x1.fffffffffffecp-3 }, .org_lo = { 0.0, -0x1.9cb722eb26ep-62, 0x1.3681acfba6p-64 },
+                          .dir = { 0x1.315c513599fc9p-1, 0x1.30e13e7444381p-2, -0x1.7da7d27f3eeb8p-1 }, .origin_surface = 2,
+                          .origin_mark = { .flags = POV_MARK_ESCALATED | POV_MARK_INWARD } };
+    tally all = { 0, 0, 0, 0, 0 };
+    node_ref children[2];
+    scene s;
+    hit h;
+
+    (void)state;
+    memset(&s, 0, sizeof s);
+    test_model_init(&s.model, NULL);
+    s.in = fake_reader_create();
+    s.probes[0] = ball;
+    s.probes[1] = far;
+    s.probes[2] = brick;
+    for (int i = 0; i < 2; i++)
+        children[i] = add_probe(&s, &s.probes[i], i == 1 ? LEAF_INVERSE : 0);
+    assert_true(model_add_group(&s.model, &merge, children, 2, &children[0]));
+    children[1] = add_probe(&s, &s.probes[2], 0);
+    assert_true(model_add_group(&s.model, &both, children, 2, &s.root) && model_add_tree(&s.model, s.root));
+    assert_int_equal(world_create(&s.world, &s.model, &options, NULL), POV_OK);
+    assert_int_equal(query_context_create(&s.context, s.world, NULL), POV_OK);
+    assert_true(judge(&s, &ray, &h, &all));
+    assert_true(all.judged == 1 && all.shared == 1 && all.wrong == 0);
+    query_context_destroy(s.context);
+    world_destroy(s.world);
+    model_free(&s.model);
+    fake_reader_destroy(s.in);
+}
+
 static void random_trees_keep_their_rules(void **state)
 {
     (void)state;
@@ -554,7 +599,8 @@ static void equal_tori_are_one_surface(void **state)
 
 int main(int argc, char **argv)
 {
-    const struct CMUnitTest tests[] = { cmocka_unit_test(random_trees_keep_their_rules),
+    const struct CMUnitTest tests[] = { cmocka_unit_test(a_place_next_to_the_start_is_shared),
+                                       cmocka_unit_test(random_trees_keep_their_rules),
                                        cmocka_unit_test(equal_tori_are_one_surface) };
     int failed;
 
