@@ -44,6 +44,7 @@ typedef struct shape_class {
     uint32_t (*hull)(const void *self, const pov_half_space *within, uint32_t n, pov_half_space *out);
     void (*intersect_between)(const void *self, const pov_ray *ray, pov_hits *hits);
     bool (*outline)(const void *self, pov_outline *out);
+    uint32_t (*narrow)(const void *self, const pov_own_map *map, uint32_t owner, const pov_rays *rays, pov_candidate *io, uint32_t n);
 } shape_class;
 
 /* Complete a class that shape_class_check() has accepted. */

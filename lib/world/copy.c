@@ -90,6 +90,7 @@ static void begin(visit *v, const world *w, const pov_ray *const *ray, pov_hits 
     t->leaf = visit_leaf;
     ray_soa_put_four(&t->soa, 0, four);
     t->soa.excluded[0] = POV_NO_OWNER;
+    t->soa.rays = NULL;
     v->filters = true;
     for (uint32_t i = 0; i < 4; i++)
         v->filters &= ray_soa_derive(&t->soa, i, just_beyond(hits->tmax), t->length) || ray_soa_is_promised(&t->soa, i);

@@ -90,19 +90,29 @@ static inline const leaf_batch *leaf_batch_next(const leaf_batch *r)
                                               + leaf_batch_bytes(r->shape, r->count, r->flags));
 }
 
+/* Candidates by the box of an instanced shape, which its class may know more of. In copies rays go by other names. */
+static inline uint32_t leaf_batch_narrow(const leaf_batch *r, const pov_rays *rays, pov_candidate *io, uint32_t n)
+{
+    const instance_xform *x = leaf_batch_xform(r);
+    const pov_own_map map = { x->anchor, { x->column[0], x->column[1], x->column[2] }, x->own_anchor };
+
+    return n > 0 && r->shape->narrow && rays->rays ? r->shape->narrow(r->instances, &map, r->object[0], rays, io, n) : n;
+}
+
 /* Filter a batch that is LEAF_PACKED; frame: the frame of the rays. */
 static inline uint32_t leaf_batch_filter(const leaf_batch *r, const bvh_frame *frame, const pov_rays *rays,
                                          uint64_t lanes, pov_candidate *out)
 {
     const unsigned kind = r->flags & (LEAF_INSTANCED | LEAF_RESERVED);
     instance_filter s;
+    uint32_t n;
 
     if (kind == LEAF_RESERVED)
         return r->shape->block_filter(leaf_batch_block(r), r->object, rays, lanes, out);
-    if (kind != LEAF_INSTANCED)
-        return instance_filter_rays(leaf_batch_instance_filter(r), r->object[0], rays, lanes, out);
-    instance_filter_make(leaf_batch_xform(r), frame, &s);
-    return instance_filter_rays(&s, r->object[0], rays, lanes, out);
+    if (kind == LEAF_INSTANCED)
+        instance_filter_make(leaf_batch_xform(r), frame, &s);
+    n = instance_filter_rays(kind == LEAF_INSTANCED ? &s : leaf_batch_instance_filter(r), r->object[0], rays, lanes, out);
+    return kind & LEAF_INSTANCED ? leaf_batch_narrow(r, rays, out, n) : n;
 }
 
 /* Prefetch the record of an instanced shape, whose ray is transformed first. */

@@ -149,5 +149,6 @@ void common_torus_normal(const void *self, const pov_ray *ray, const pov_crossin
 void common_torus_intersect_many(const void *const *selves, const pov_ray *const *rays, pov_hits *const *hits, uint32_t n);
 void common_torus_normal_many(const void *const *selves, const pov_ray *const *rays, const pov_crossing *const *at,
                               pov_vec3 *const *out, uint32_t n);
+uint32_t common_torus_narrow(const void *self, const pov_own_map *map, uint32_t owner, const pov_rays *rays, pov_candidate *io, uint32_t n);
 
 #endif

@@ -65,6 +65,7 @@ static const pov_shape_fast torus_fast = {
     .size = sizeof(pov_shape_fast),
     .intersect_many = common_torus_intersect_many,
     .normal_many = common_torus_normal_many,
+    .narrow = common_torus_narrow,
 };
 
 static const void *extension(const char *name) { return common_is_fast(name) ? &torus_fast : NULL; }

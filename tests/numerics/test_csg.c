@@ -544,11 +544,11 @@ static void judge_trees(long count, bool tori, double least_shared)
     assert_int_equal(all.wrong, 0);
 }
 
-/* Around a box whose top touches that of a sphere, which is within what a far ball leaves and so counts for nothing but the owner: a ray
+/* Around a box whose top touches that of a sphere, which is within what a far sphere leaves and so counts for nothing but the owner: a ray
  * that starts in the box's side crosses both at the top, 2^-60 farther, at distances that differ by 2^-100. */
 static void a_place_next_to_the_start_is_shared(void **state)
 {
-    static const probe ball = { .kind = SPHERE, .count = 4, .size = 1.0, .number = { -0.75, -0.5, 0.25, 1.25 } };
+    static const probe upper = { .kind = SPHERE, .count = 4, .size = 1.0, .number = { -0.75, -0.5, 0.25, 1.25 } };
     static const probe far = { .kind = SPHERE, .count = 4, .size = 1.0, .number = { 9.0, 0.0, 0.0, 1.0 } };
     static const probe brick = { .kind = BOX, .count = 6, .size = 1.0, .number = { -0.75, -0.5, -0.25, -0.25, 0.75, 0.5 } };
     const world_options options = { .accel = POV_ACCEL_NONE, .threads = 1 };
@@ -566,7 +566,7 @@ static void a_place_next_to_the_start_is_shared(void **state)
     memset(&s, 0, sizeof s);
     test_model_init(&s.model, NULL);
     s.in = fake_reader_create();
-    s.probes[0] = ball;
+    s.probes[0] = upper;
     s.probes[1] = far;
     s.probes[2] = brick;
     for (int i = 0; i < 2; i++)

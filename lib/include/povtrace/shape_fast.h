@@ -68,6 +68,9 @@ typedef struct pov_outline {
     bool round;                  /* it has a quadric */
 } pov_outline;
 
+/* The map to an instanced shape's own space, rounded: column (p - anchor) + from. */
+typedef struct pov_own_map { pov_vec3 anchor, column[3], from; } pov_own_map;
+
 typedef struct pov_shape_fast {
     uint32_t size;
     bool full_leaves;            /* block_filter takes as long for one shape of a block as for all: leaves should be
@@ -104,6 +107,9 @@ typedef struct pov_shape_fast {
     /* [render] As intersect() for POV_WANT_ALL, where the interval comes from the scene around the shape and depends on nothing but the
      * ray: it may shorten the search, and last bits of crossings may depend on it. */
     void (*intersect_between)(const void *self, const pov_ray *ray, pov_hits *hits);
+    /* [render] A closer look at candidates of an instanced shape, by its box: leaves out those that certainly pass it, narrows the
+     * bounds of others, and returns how many are left. A ray whose origin_surface is `owner` starts on it. */
+    uint32_t (*narrow)(const void *self, const pov_own_map *map, uint32_t owner, const pov_rays *rays, pov_candidate *io, uint32_t n);
 } pov_shape_fast;
 
 #endif
