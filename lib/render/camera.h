@@ -8,6 +8,8 @@ typedef struct camera_class {
     /* Start and direction of rays that raygen_begin() has made; n <= RAYGEN_MANY. Returns what is known of all of them:
      * TRACER_SOUND and the like. */
     unsigned (*aim)(const pov_camera *camera, const raygen_screen *through, uint32_t n, pov_ray *rays);
+    /* Where the camera's normal is looked up for the place (u, v); NULL: there. */
+    void (*look_up)(const pov_camera *camera, double u, double v, double *x, double *y);
 } camera_class;
 
 /* The row of camera->type. */

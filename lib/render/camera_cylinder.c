@@ -40,4 +40,12 @@ static unsigned aim(const pov_camera *camera, const raygen_screen *through, uint
     return camera_aim_each(kinds[camera->type - POV_CAMERA_CYLINDER_1], camera, through, n, rays);
 }
 
-const camera_class camera_cylinder = { aim };
+static void look_up(const pov_camera *c, double u, double v, double *x, double *y)
+{
+    const bool upright_one = c->type == POV_CAMERA_CYLINDER_1 || c->type == POV_CAMERA_CYLINDER_3;
+
+    *x = u * (upright_one ? c->angles[0] : camera_length(c->right));
+    *y = v * (upright_one ? camera_length(c->up) : c->angles[0]);
+}
+
+const camera_class camera_cylinder = { aim, look_up };

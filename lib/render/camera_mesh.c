@@ -142,4 +142,4 @@ static unsigned aim(const pov_camera *camera, const raygen_screen *through, uint
     return 0;
 }
 
-const camera_class camera_meshes = { aim };
+const camera_class camera_meshes = { aim, NULL };

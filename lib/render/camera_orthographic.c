@@ -33,4 +33,4 @@ static unsigned aim(const pov_camera *camera, const raygen_screen *through, uint
     return sound && size > 0.0 && size <= DBL_MAX ? TRACER_SOUND : 0;
 }
 
-const camera_class camera_orthographic = { aim };
+const camera_class camera_orthographic = { aim, NULL };

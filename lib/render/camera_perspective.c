@@ -32,4 +32,4 @@ static unsigned aim(const pov_camera *camera, const raygen_screen *through, uint
     return TRACER_ONE_START | (sound && isfinite(from.x + from.y + from.z) ? TRACER_SOUND : 0);
 }
 
-const camera_class camera_perspective = { aim };
+const camera_class camera_perspective = { aim, NULL };

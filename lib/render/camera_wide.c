@@ -4,19 +4,18 @@
 #include "base/elementary.h"
 #include "shade/tracer.h"
 
-static double unit_of(pov_vec3 v, pov_vec3 *unit)
-{
-    *unit = pov_unit(v);
-    return pov_dot(v, *unit);
-}
+static const double pi = 3.14159265358979323846;
 
 unsigned camera_aim_each(camera_ray *find, const pov_camera *camera, const raygen_screen *through, uint32_t n, pov_ray *rays)
 {
     camera_basis b = { .camera = camera };
 
-    b.width = unit_of(camera->right, &b.right);
-    b.height = unit_of(camera->up, &b.up);
-    b.depth = unit_of(camera->direction, &b.view);
+    b.right = pov_unit(camera->right);
+    b.up = pov_unit(camera->up);
+    b.view = pov_unit(camera->direction);
+    b.width = camera_length(camera->right);
+    b.height = camera_length(camera->up);
+    b.depth = camera_length(camera->direction);
     for (uint32_t i = 0; i < n; i++) {
         pov_vec3 start = pov_vec3_of(0.0, 0.0, 0.0);
 
@@ -27,11 +26,13 @@ unsigned camera_aim_each(camera_ray *find, const pov_camera *camera, const rayge
     return 0;
 }
 
-static void on_sphere(const camera_basis *b, double across, double upwards, pov_vec3 *dir)
+/* Turned about a unit vector, from z towards x about y. */
+static pov_vec3 turned(pov_vec3 v, pov_vec3 about, double angle)
 {
-    const double level = elementary_cos(upwards);
+    const double cosine = elementary_cos(angle);
+    const pov_vec3 across = pov_scale(pov_cross_product(about, v), elementary_sin(angle)), along = pov_scale(about, pov_dot(about, v) * (1.0 - cosine));
 
-    *dir = camera_combine(b, elementary_sin(across) * level, elementary_sin(upwards), elementary_cos(across) * level);
+    return pov_add(pov_add(pov_scale(v, cosine), across), along);
 }
 
 /* ---- the kinds ---- */
@@ -47,7 +48,7 @@ static bool ultra_wide(const camera_basis *b, double u, double v, pov_vec3 *dir,
 
 static bool panoramic(const camera_basis *b, double u, double v, pov_vec3 *dir, pov_vec3 *start)
 {
-    const double pi = 3.14159265358979323846, level = elementary_cos(v * pi);
+    const double level = elementary_cos(v * pi);
 
     (void)start;
     *dir = camera_combine(b, b->width * elementary_sin(u * pi) * level, b->height * elementary_sin(v * pi),
@@ -55,10 +56,12 @@ static bool panoramic(const camera_basis *b, double u, double v, pov_vec3 *dir, 
     return true;
 }
 
+/* The view is turned about what is right, and then about what is up: where right is mirrored it is up and down that change
+ * places, as in POV-Ray. */
 static bool spherical(const camera_basis *b, double u, double v, pov_vec3 *dir, pov_vec3 *start)
 {
     (void)start;
-    on_sphere(b, u * b->camera->angles[0], v * b->camera->angles[1], dir);
+    *dir = turned(turned(b->view, b->right, -v * b->camera->angles[1]), b->up, u * b->camera->angles[0]);
     return true;
 }
 
@@ -77,6 +80,27 @@ static unsigned aim_spherical(const pov_camera *camera, const raygen_screen *thr
     return camera_aim_each(spherical, camera, through, n, rays);
 }
 
-const camera_class camera_ultra_wide = { aim_ultra_wide };
-const camera_class camera_panoramic = { aim_panoramic };
-const camera_class camera_spherical = { aim_spherical };
+/* ---- where normals are looked up ---- */
+
+static void ultra_wide_point(const pov_camera *c, double u, double v, double *x, double *y)
+{
+    *x = u * c->angles[0];
+    *y = v * c->angles[0] * camera_length(c->up) / camera_length(c->right);
+}
+
+static void panoramic_point(const pov_camera *c, double u, double v, double *x, double *y)
+{
+    (void)c;
+    *x = (0.5 - u) * pi;
+    *y = v * pi;
+}
+
+static void spherical_point(const pov_camera *c, double u, double v, double *x, double *y)
+{
+    *x = u * c->angles[0];
+    *y = v * c->angles[1];
+}
+
+const camera_class camera_ultra_wide = { aim_ultra_wide, ultra_wide_point };
+const camera_class camera_panoramic = { aim_panoramic, panoramic_point };
+const camera_class camera_spherical = { aim_spherical, spherical_point };

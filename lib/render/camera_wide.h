@@ -13,6 +13,8 @@ typedef bool camera_ray(const camera_basis *b, double u, double v, pov_vec3 *dir
 
 unsigned camera_aim_each(camera_ray *find, const pov_camera *camera, const raygen_screen *through, uint32_t n, pov_ray *rays);
 
+static inline double camera_length(pov_vec3 v) { return pov_dot(v, pov_unit(v)); }
+
 /* x right + y up + z view. */
 static inline pov_vec3 camera_combine(const camera_basis *b, double x, double y, double z)
 {

@@ -103,14 +103,29 @@ unsigned raygen_aim(const pov_camera *camera, const raygen_screen *through, uint
     return 0;
 }
 
+/* Where the camera's normal is looked up. */
+static void look_up(const pov_camera *camera, const raygen_screen *through, uint32_t n, raygen_screen *at)
+{
+    const camera_class *class = camera_class_of(camera);
+
+    for (uint32_t i = 0; i < n; i++) {
+        at->u[i] = through->u[i];
+        at->v[i] = through->v[i];
+        if (class->look_up)
+            class->look_up(camera, through->u[i], through->v[i], &at->u[i], &at->v[i]);
+    }
+}
+
 unsigned raygen_cast(const model *m, const pov_camera *camera, const raygen_screen *through, uint32_t n, pov_ray *rays)
 {
     const unsigned known = raygen_aim(camera, through, n, rays);
+    raygen_screen at;
 
     if (camera->type == POV_CAMERA_MESH && m->camera_mesh)
         camera_mesh_cast(m->camera_mesh, camera, through, n, rays);
     if (!m->camera_normal)
         return known;
-    camera_normal_apply(m, through->u, through->v, n, rays);
+    look_up(camera, through, n, &at);
+    camera_normal_apply(m, at.u, at.v, n, rays);
     return 0;
 }

@@ -7,7 +7,7 @@ static bool is_outside(const pov_ray *ray) { return !isfinite(ray->dir.x + ray->
 
 static pov_vec3 unit_of(const pov_ray *ray) { return is_outside(ray) ? pov_vec3_of(0.0, 0.0, 1.0) : pov_unit(ray->dir); }
 
-void camera_normal_apply(const model *m, const double *u, const double *v, uint32_t n, pov_ray *rays)
+void camera_normal_apply(const model *m, const double *x, const double *y, uint32_t n, pov_ray *rays)
 {
     const pov_vec3 zero = pov_vec3_of(0.0, 0.0, 0.0);
     texture_points points;
@@ -16,7 +16,7 @@ void camera_normal_apply(const model *m, const double *u, const double *v, uint3
     points.parts = NULL;
     points.has_surface = true;
     for (uint32_t i = 0; i < n; i++) {
-        texture_point(NULL, pov_vec3_of(u[i], v[i], 0.0), zero, i, &points);
+        texture_point(NULL, pov_vec3_of(x[i], y[i], 0.0), zero, i, &points);
         lanes_put(&bent, i, unit_of(&rays[i]));
         lanes_put(&points.normal, i, lanes_at(&bent, i));
         lanes_put(&points.view, i, lanes_at(&bent, i));

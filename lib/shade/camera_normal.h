@@ -4,7 +4,7 @@
 
 #include "world/surface.h"
 
-/* Bend the directions of n <= LANES_MAX rays by the scene's camera, which has a normal: at the points (u, v, 0). */
-void camera_normal_apply(const model *m, const double *u, const double *v, uint32_t n, pov_ray *rays);
+/* Bend the directions of n <= LANES_MAX rays by the scene's camera, which has a normal: at the points (x, y, 0). */
+void camera_normal_apply(const model *m, const double *x, const double *y, uint32_t n, pov_ray *rays);
 
 #endif
