@@ -110,7 +110,7 @@ static void find_all(reflectances *m, const model *of)
     for (int k = 0; k < 3; k++)
         mix_colours(m, k, n);
     for (uint32_t i = 0; i < n; i++)
-        m->weight[i] = colour_weight(colour_at(m, i));
+        m->weight[i] = m->fresnel[i] ? colour_weight(colour_at(m, i)) : m->weight[i];
     for (int k = 0; m->has_metal && k < 3; k++)
         dye(m, k, n);
 }
@@ -149,6 +149,7 @@ static void add_one(const shade_context *c, reflectances *m, const surfaces *s, 
     m->ratio[i] = fresnel ? ratio_at(c, &s->at[lane]) : 1.0;
     m->falloff[i] = has_course ? (double)r->falloff : 1.0;
     m->fresnel[i] = fresnel;
+    m->weight[i] = fmaxf(colour_weight(r->min), colour_weight(r->max));   /* at any angle, as in POV-Ray */
     m->metallic[i] = r->metallic;
     put_colour(m->min, i, r->min);
     put_colour(m->max, i, r->max);

@@ -138,7 +138,7 @@ static void reflection_depends_on_the_angle_and_the_pigment(void **state)
         { FRONT, BARE "reflection { .6 exponent 2 } }", 0.42426, 0.46476, 0.50199 },
         { FRONT, BARE "reflection { .5 fresnel } } interior { ior 1.5 }", 0.01, 0.012, 0.014 },
         { FRONT, BARE "reflection { .5 fresnel .9 } } interior { ior 1.5 }", 0.25, 0.3, 0.35 },
-        { FRONT, BARE "reflection { .5 fresnel fresnel 0 } } interior { ior 1.5 }", 0.0, 0.0, 0.0 },
+        { FRONT, BARE "reflection { .5 fresnel fresnel 0 } } interior { ior 1.5 }", 0.000116, 0.000139, 0.000163 },
         { FRONT, BARE "reflection .3 reflection { exponent 2 } }", 0.0, 0.0, 0.0 },
     };
     (void)state;
@@ -230,6 +230,28 @@ static void metal_does_not_end_rays(void **state)
     free(p);
 }
 
+/* A ray from a surface that mirrors more where it grazes has the weight of the larger share at any angle, as in POV-Ray; with
+ * Fresnel's course it has the share at its own. */
+static void weights_of_mirrors_that_graze(void **state)
+{
+    static const char *const mirrors[] = { "reflection { .05, .31 }", "reflection { .05, .31 falloff 3 }", "reflection { .05, .31 fresnel } } interior { ior 1.5" };
+    static const double wanted[] = { 0.05, 0.05, 0.0 };
+    char text[512];
+
+    (void)state;
+    for (int i = 0; i < 3; i++) {
+        float *p;
+
+        snprintf(text, sizeof text, "#version 3.7; global_settings { assumed_gamma 1 adc_bailout .2 } background { rgb 1 } "
+                                    "camera { orthographic location <0,0,-10> direction z right .001*x up .001*y } "
+                                    "sphere { 0, 1 pigment { rgb .5 } finish { ambient 0 diffuse 0 %s } }", mirrors[i]);
+        p = scenes_draw(text, 1, 1, 1, 1);
+        if (fabs((double)p[0] - wanted[i]) > 2e-5)
+            fail_msg("%s: %f", mirrors[i], (double)p[0]);
+        free(p);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -246,6 +268,7 @@ int main(void)
         cmocka_unit_test(filters_below_zero_are_weighed_by_their_size),
         cmocka_unit_test(a_film_changes_all_light_by_its_wavelength),
         cmocka_unit_test(metal_does_not_end_rays),
+        cmocka_unit_test(weights_of_mirrors_that_graze),
     };
 
     return cmocka_run_group_tests_name("finishes", tests, NULL, NULL);
