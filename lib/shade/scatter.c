@@ -154,7 +154,7 @@ static inline path *spawn_across(scattering *to, const surface *s, const coeffic
         next->gathering = s->appearance == &to->context->scene->unseen;
     spawn_turn(next, TURN_TRANSMITTED);
     if (to->context->alpha)
-        next->clear *= colour_grey(by->by);
+        next->clear *= colour_grey(to->fading ? colour_mul(by->by, s->faded) : by->by);
     if (to->dims)
         next->solids = air_solids_across(to->context->scene, s);
     to->transmitted++;
@@ -287,8 +287,10 @@ SIMD_NOINLINE static void disperse(scattering *to, const interfaces *p, const su
             continue;
         }
         out = refract_at(to, s, lane, &some, dir);
-        if (out)
+        if (out) {
             out->hue = hue;
+            out->clear = 0.0f;   /* in pictures with alpha glass that disperses is opaque, as in POV-Ray */
+        }
         pass(to, out, crossing);
     }
 }

@@ -114,6 +114,19 @@ static void fog_hides_by_the_grey_of_what_it_lets_through(void **state)
                   1.0 - grey(0.3 * 0.6, 0.3 * 0.9, 0.3 * 0.7));
 }
 
+/* What light loses in a solid hides as well, and glass that disperses hides all. */
+static void solids_hide_by_what_they_fade_and_disperse(void **state)
+{
+    static const char box[] = "box { <-2, -2, 0>, <2, 2, 1> pigment { rgbt <1, 1, 1, .9> } finish { ambient 0 diffuse 0 } interior { %s } }";
+    char body[256];
+
+    (void)state;
+    snprintf(body, sizeof body, box, "fade_distance 1 fade_power 1 fade_color <0, .5, 1>");
+    assert_middle(NEW, body, 0.0, 0.0, 0.0, 1.0 - 0.81 * grey(0.5, 0.75, 1.0));
+    snprintf(body, sizeof body, box, "ior 1.5 dispersion 1.1");
+    assert_middle(NEW, body, 0.0, 0.0, 0.0, 1.0);
+}
+
 /* Half of the pixels of one column are covered. */
 static void alpha_is_the_mean_of_the_samples(void **state)
 {
@@ -193,6 +206,7 @@ int main(void)
         cmocka_unit_test(backgrounds_hide_by_what_they_let_through),
         cmocka_unit_test(skies_hide_by_what_they_let_through),
         cmocka_unit_test(mirrors_are_opaque_and_see_the_plain_background),
+        cmocka_unit_test(solids_hide_by_what_they_fade_and_disperse),
         cmocka_unit_test(fog_hides_by_the_grey_of_what_it_lets_through),
         cmocka_unit_test(alpha_is_the_mean_of_the_samples),
         cmocka_unit_test(colours_are_decoded_as_if_they_were_opaque),
