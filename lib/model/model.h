@@ -94,8 +94,8 @@ typedef struct model {
     const normal_node *camera_normal;   /* bends the rays of all cameras; NULL: none */
     colour ambient_light, background;
     pigment sky_colour;                 /* the background of pictures with alpha: what it lets through is transparent */
-    bool sky_is_old;                    /* of versions before 3.7: transparent in pictures with alpha, opaque or not; all
-                                         * layers but the first filter without their colour */
+    bool sky_is_old;                    /* of versions before 3.7: transparent in pictures with alpha, opaque or not; what
+                                         * layers filter and transmit is counted apart */
     colour irid_wavelength;
     double adc_bailout;
     int max_trace_level;

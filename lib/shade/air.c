@@ -72,21 +72,24 @@ static double arc_share(const rainbow *r, pov_vec3 dir)
     return around >= outer ? 0.0 : 1.0 - u * u * (3.0 - 2.0 * u);
 }
 
-/* False: the ray misses the bow. */
+/* False: the ray misses the bow, which is in the half of the sky that it is directed to. What is behind is filtered as far as
+ * the bow is there. */
 static bool rainbow_veil(const rainbow *r, const segment *s, veil *out)
 {
     const double angle = elementary_acos(fmin(1.0, fmax(-1.0, pov_dot(s->dir, r->direction)))) / degree;
     const double at = (angle - r->angle + 0.5 * r->width) / r->width;
     const double passed = elementary_exp(-s->length / r->distance);
+    float weight, filter;
     pigment c;
-    double weight;
 
-    if (!(at > 0.0 && at < 1.0))
+    if (!(at >= 0.0 && at <= 1.0 && angle < 90.0))
         return false;
     c = map_colour(r, at);
-    weight = fmin(1.0 - passed, (1.0 - (double)c.transmit) * arc_share(r, s->dir));
-    out->by = colour_of((float)(1.0 - weight), (float)(1.0 - weight), (float)(1.0 - weight));
-    out->given = colour_scale(c.color, (float)weight);
+    weight = (float)fmin(1.0 - passed, (1.0 - (double)c.transmit) * arc_share(r, s->dir));
+    filter = c.filter * weight;
+    out->by = colour_add(colour_of(1.0f - filter, 1.0f - filter, 1.0f - filter), colour_scale(c.color, filter));
+    out->by = colour_scale(out->by, 1.0f - weight);
+    out->given = colour_scale(c.color, weight);
     return true;
 }
 
@@ -150,6 +153,17 @@ SIMD_CLONES static bool measure_lanes(fog_segments *restrict s, uint32_t n)
     return plain != 0;
 }
 
+/* A ray that crosses what it does not see is one segment. */
+static void join(air_segments *s)
+{
+    for (uint32_t i = 0; i < s->on.count; i++) {
+        const double before = s->path[i]->travelled;
+
+        lanes_put(&s->on.from, i, pov_sub(lanes_at(&s->on.from, i), pov_scale(lanes_at(&s->on.dir, i), before)));
+        s->on.length[i] += before;
+    }
+}
+
 void air_measure(const shade_context *c, air_segments *s)
 {
     const vec_lanes before = s->on.dir;
@@ -158,16 +172,19 @@ void air_measure(const shade_context *c, air_segments *s)
     if (!measure_lanes(&s->on, lanes_whole(s->on.count)))
         for (uint32_t i = 0; i < s->on.count; i++)
             lanes_put(&s->on.dir, i, pov_unit(lanes_at(&before, i)));
+    if (c->scene->plan->hidden)
+        join(s);
     fog_find(c->scene->model, &s->on, &s->fogs);
 }
 
 /* Length of a ray that hits nothing, where media fill the scene. */
 static const double endless = 2e10;
 
+/* Media on the last part of a segment. */
 static veil media_veil(shade_context *c, const path *p, const segment *s)
 {
     const bool ends = s->length < HUGE_VAL;
-    const media_segment on = { s->from, s->dir, ends ? s->length : endless };
+    const media_segment on = { pov_add(s->from, pov_scale(s->dir, p->travelled)), s->dir, ends ? s->length - p->travelled : endless };
     veil v = clear;
 
     if (c->scene->plan->media && (p->gathers == 0 || c->scene->model->radiosity.sees_media))
@@ -175,24 +192,33 @@ static veil media_veil(shade_context *c, const path *p, const segment *s)
     return v;
 }
 
-/* Fog lies over rainbows, and both over media. There is no fog in solids, and none that radiosity sees. */
+static segment segment_at(const air_segments *on, uint32_t i)
+{
+    const segment s = { lanes_at(&on->on.from, i), lanes_at(&on->on.dir, i), on->on.length[i] };
+
+    return s;
+}
+
+/* Fog lies over rainbows, and both over media. There are neither in solids, and none that radiosity sees. */
 static veil veil_of(shade_context *c, const air_segments *on, uint32_t i)
 {
     const path *p = on->path[i];
-    const segment s = { lanes_at(&on->on.from, i), lanes_at(&on->on.dir, i), on->on.length[i] };
-    const veil near = media_veil(c, p, &s), far = p->gathers > 0 ? near : veil_before(all_rainbows(c->scene, &s), near);
+    const segment s = segment_at(on, i);
+    const veil near = media_veil(c, p, &s);
     const fog_veils *f = &on->fogs;
     const veil fogs = { colour_at(f->by[0], f->by[1], f->by[2], i), colour_at(f->given[0], f->given[1], f->given[2], i) };
 
-    return p->solids > 0 || p->gathers > 0 ? far : veil_before(fogs, far);
+    return p->solids > 0 || p->gathers > 0 ? near : veil_before(fogs, veil_before(all_rainbows(c->scene, &s), near));
 }
 
-void air_cross(shade_context *c, const air_segments *s, uint32_t i, path *dimmed, colour *out)
+void air_cross(shade_context *c, const air_segments *s, uint32_t i, bool seen, path *dimmed, colour *out)
 {
     const path *p = s->path[i];
-    const veil v = veil_of(c, s, i);
+    const segment so_far = segment_at(s, i);
+    const veil v = seen ? veil_of(c, s, i) : media_veil(c, p, &so_far);
 
     *dimmed = *p;
+    dimmed->travelled = seen ? 0.0 : so_far.length;
     dimmed->factor.by = colour_mul(p->factor.by, v.by);
     dimmed->clear = p->clear * colour_grey(v.by);
     accumulate(p, v.given, out);
@@ -213,14 +239,6 @@ static colour filter_of(const pigment *p)
     return colour_add(t, colour_scale(p->color, p->filter));
 }
 
-/* The same without its colour. */
-static colour plain_filter_of(const pigment *p)
-{
-    const float by = p->filter + p->transmit;
-
-    return colour_of(by, by, by);
-}
-
 /* A pigment before it, of a light of its own. */
 static void put_before(backdrop *b, const pigment *p, colour own, colour by)
 {
@@ -228,6 +246,20 @@ static void put_before(backdrop *b, const pigment *p, colour own, colour by)
 
     b->seen = colour_add(colour_scale(own, opaque), colour_mul(by, b->seen));
     b->through = colour_mul(by, b->through);
+}
+
+/* Before version 3.7 what all pigments above it filter and what all of them transmit is counted apart, and reaches a pigment
+ * without their colours. */
+typedef struct old_sky { pigment above; colour sum; } old_sky;
+
+static void put_below(old_sky *sky, bool first, const pigment *p, colour emission)
+{
+    const float left = (first ? 1.0f : sky->above.filter + sky->above.transmit) * (1.0f - p->filter - p->transmit);
+
+    sky->sum = colour_add(sky->sum, colour_scale(colour_mul(p->color, emission), left));
+    sky->above.color = first ? p->color : colour_mul(sky->above.color, p->color);
+    sky->above.filter = first ? p->filter : sky->above.filter * p->filter;
+    sky->above.transmit = first ? p->transmit : sky->above.transmit * p->transmit;
 }
 
 /* Mirrored rays see a background that is transparent in the picture by its plain colour. */
@@ -245,6 +277,27 @@ static backdrop background_of(const shade_context *c, const path *p)
     if (!m->sky_is_old)
         put_before(&b, &m->sky_colour, m->sky_colour.color, filter_of(&m->sky_colour));
     return b;
+}
+
+static void add_old_sky(const model *m, const texture_points *points, const uint32_t *lanes, uint32_t n, backdrop *seen)
+{
+    old_sky sky[BATCH_MAX];
+    pigment p[BATCH_MAX];
+
+    for (uint32_t i = 0; i < n; i++)
+        sky[i].sum = colour_of(0.0f, 0.0f, 0.0f);
+    for (uint32_t k = m->sky->count; k-- > 0 && n > 0; ) {
+        pigment_eval(m, m->sky->layers[k], points, n, p);
+        for (uint32_t i = 0; i < n; i++)
+            put_below(&sky[i], k + 1 == m->sky->count, &p[i], m->sky->emission);
+    }
+    for (uint32_t i = 0; i < n; i++) {
+        backdrop *b = &seen[lanes[i]];
+        const colour by = filter_of(&sky[i].above);
+
+        b->seen = colour_add(sky[i].sum, colour_mul(by, b->seen));
+        b->through = colour_mul(by, b->through);
+    }
 }
 
 /* The sky's pigments, one over the other. */
@@ -266,11 +319,14 @@ static void add_sky(const shade_context *c, const batch *b, uint64_t rays, backd
         texture_point(NULL, pov_unit(b->rays[i]->dir), pov_vec3_of(0.0, 0.0, 0.0), n, &points);
         n++;
     }
+    if (m->sky_is_old) {
+        add_old_sky(m, &points, lanes, n, seen);
+        return;
+    }
     for (uint32_t k = 0; k < m->sky->count && n > 0; k++) {
         pigment_eval(m, m->sky->layers[k], &points, n, p);
         for (uint32_t i = 0; i < n; i++)
-            put_before(&seen[lanes[i]], &p[i], colour_mul(p[i].color, m->sky->emission),
-                       k > 0 && m->sky_is_old ? plain_filter_of(&p[i]) : filter_of(&p[i]));
+            put_before(&seen[lanes[i]], &p[i], colour_mul(p[i].color, m->sky->emission), filter_of(&p[i]));
     }
 }
 

@@ -127,7 +127,7 @@ static void dim(shade_context *c, surfaces *s, surface *at, colour *out)
     on.on.count = 0;
     air_add(&on, at->from, at->ray, distance_of(at));
     air_measure(c, &on);
-    air_cross(c, &on, 0, behind, out);
+    air_cross(c, &on, 0, !is_unseen(c->scene, at->from, at->at->object), behind, out);
     at->from = behind;
 }
 
@@ -143,8 +143,11 @@ SIMD_NOINLINE static void dim_all(shade_context *c, surfaces *s, const batch *b,
     for (uint64_t rest = found; rest; rest &= rest - 1)
         air_add(&on, &b->paths[first_of64(rest)], b->rays[first_of64(rest)], s->hits[first_of64(rest)].crossing.t);
     air_measure(c, &on);
-    for (; found; found &= found - 1)
-        air_cross(c, &on, k++, &s->dimmed[first_of64(found)], out);
+    for (; found; found &= found - 1, k++) {
+        const uint32_t i = first_of64(found);
+
+        air_cross(c, &on, k, !c->scene->plan->hidden || !is_unseen(c->scene, &b->paths[i], s->hits[i].object), &s->dimmed[i], out);
+    }
 }
 
 /* Intersect rays, some of which start on coincident surfaces. */

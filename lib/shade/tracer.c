@@ -260,7 +260,7 @@ static uint64_t begin(pov_tracer *t, const pov_ray *rays, uint32_t n, unsigned k
         begun = begin_some(b, rays, n);
     if (c->scene->plan->dielectrics_at_start && b->count > 0)
         begin_inside(t, known & TRACER_ONE_START);
-    if (c->scene->plan->media || c->scene->model->fogs.count > 0)
+    if (c->scene->dims)
         begin_filled(t);
     c->counts.camera += b->count;
     return begun;

@@ -102,10 +102,11 @@ static bool find_copies(world *w, const compile_state *f, dielectric_list *out, 
 /* Solids that may contain the start of a camera's ray. */
 static bool find_starts(world *w, const compile_state *f)
 {
+    const bool air = w->plan.media || w->model->fogs.count > 0 || w->model->rainbows.count > 0;
+
     return (!w->plan.dielectrics_at_start || (find_around(w, f, &w->dielectrics, AROUND_DIELECTRIC) &&
                                               find_copies(w, f, &w->dielectrics, AROUND_DIELECTRIC))) &&
-           (!(w->plan.media || w->model->fogs.count > 0) || (find_around(w, f, &w->filled, AROUND_FILLED) &&
-                                                             find_copies(w, f, &w->filled, AROUND_FILLED)));
+           (!air || (find_around(w, f, &w->filled, AROUND_FILLED) && find_copies(w, f, &w->filled, AROUND_FILLED)));
 }
 
 /* Members that differ in what fills them are solids of their own. Media are those of the whole where both have some: each

@@ -51,6 +51,16 @@ static void upper_layers_filter_by_version(void **state)
     assert_seen("3.6", sky, 0.45 + 0.4 * 0.2, 0.3 + 0.4 * 0.3, 0.36 + 0.4 * 0.4);
 }
 
+/* Before version 3.7 light passes through several layers if all of them filter, or all of them transmit. */
+static void what_old_layers_filter_and_transmit_is_counted_apart(void **state)
+{
+    (void)state;
+    assert_seen("3.6", BEHIND "sky_sphere { pigment { rgb 1 } pigment { rgbt <.2, .7, .1, .4> } pigment { rgbf <.6, .1, .7, .3> } }",
+                0.42 + 0.036, 0.07 + 0.126, 0.49 + 0.018);
+    assert_seen("3.6", BEHIND "sky_sphere { pigment { rgbft <.1, .45, .3, .2, .1> } pigment { rgbft <.6, .1, .7, .3, .3> } }",
+                0.24 + 0.042 + 0.2 * 0.0336, 0.04 + 0.189 + 0.4 * 0.0327, 0.28 + 0.126 + 0.8 * 0.0426);
+}
+
 static void a_background_lets_nothing_through_before_version_3_7(void **state)
 {
     (void)state;
@@ -81,6 +91,17 @@ static void a_solid_that_is_not_seen_holds_no_fog_up(void **state)
     assert_seen("3.7", body, 0.5, 0.5, 0.5);
 }
 
+/* Fog that lets half through at most does so once on the whole way. */
+static void a_way_across_what_is_not_seen_is_one(void **state)
+{
+    static const char fog[] = "fog { distance 1 rgbt <.4, .6, .8, .5> } plane { -z, -5 pigment { rgb 0 } finish { ambient 0 diffuse 0 } } ";
+    char body[512];
+
+    (void)state;
+    snprintf(body, sizeof body, "%sbox { <-1, 1, 1>, <1, 4, 4> no_image }", fog);
+    assert_seen("3.7", body, 0.2, 0.3, 0.4);
+}
+
 /* As measured. Half of the bow is there beside its direction's `up`; before something near it is as strong as anywhere. */
 static void the_arc_of_a_rainbow_limits_what_its_distance_leaves(void **state)
 {
@@ -96,13 +117,33 @@ static void the_arc_of_a_rainbow_limits_what_its_distance_leaves(void **state)
     assert_seen("3.7", body, 0.1, 0.1, 0.1);
 }
 
+/* What is behind a bow is filtered as far as the bow is there. It is in the half of the sky that it is directed to, and in no solid. */
+static void rainbows_filter_and_end_at_a_right_angle(void **state)
+{
+    static const char bow[] = "plane { -z, -5 pigment { rgb 1 } finish { ambient 1 diffuse 0 } %s } "
+                              "rainbow { direction %s angle 90 width 180 distance 10 color_map { [0 rgbf <.3, .6, .9, .5>] [1 rgbf <.3, .6, .9, .5>] } }";
+    const double w = 1.0 - exp(-sqrt(0.5)), left = 1.0 - w;
+    char body[512];
+
+    (void)state;
+    snprintf(body, sizeof body, bow, "", "<1, 1, 1>");
+    assert_seen("3.7", body, 0.3 * w + left * (1.0 - 0.35 * w), 0.6 * w + left * (1.0 - 0.2 * w), 0.9 * w + left * (1.0 - 0.05 * w));
+    snprintf(body, sizeof body, bow, "", "<1, -1, 0>");
+    assert_seen("3.7", body, 1.0, 1.0, 1.0);
+    snprintf(body, sizeof body, bow, "inverse", "<1, 1, 1>");
+    assert_seen("3.7", body, 1.0, 1.0, 1.0);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(one_layer_filters_the_background),
         cmocka_unit_test(upper_layers_filter_by_version),
+        cmocka_unit_test(what_old_layers_filter_and_transmit_is_counted_apart),
         cmocka_unit_test(a_background_lets_nothing_through_before_version_3_7),
         cmocka_unit_test(a_solid_that_is_not_seen_holds_no_fog_up),
+        cmocka_unit_test(rainbows_filter_and_end_at_a_right_angle),
+        cmocka_unit_test(a_way_across_what_is_not_seen_is_one),
         cmocka_unit_test(the_arc_of_a_rainbow_limits_what_its_distance_leaves),
         cmocka_unit_test(the_last_sky_counts_and_emission_scales_its_own_light),
     };
