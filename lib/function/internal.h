@@ -10,7 +10,8 @@
 typedef enum internal_form { INTERNAL_PLAIN, INTERNAL_LIMITED, INTERNAL_TURNED, INTERNAL_TURNED_LIMIT } internal_form;
 enum { INTERNAL_HEX_X = 27, INTERNAL_HEX_Y = 28, INTERNAL_POLYTUBES = 52 };
 
-/* Arguments: x, y, z, then the parameters. 0: there is no such function. */
+/* Arguments: x, y, z, then the parameters; at most INTERNAL_ARGUMENTS_MAX. 0: there is no such function. */
+enum { INTERNAL_ARGUMENTS_MAX = 16 };
 uint32_t internal_arguments(uint32_t number);
 /* Noise is not this room's: its functions have the value 0 here. */
 double internal_value(uint32_t number, const double *v);

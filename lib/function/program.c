@@ -123,3 +123,118 @@ double program_run(const program *p, double *r)
     }
     return r[p->result];
 }
+
+/* ---- running lanes ---- */
+
+typedef double row[PROGRAM_LANES];
+
+/* The result may stand where an argument does. */
+static void take_row(program_op op, const double *a, const double *b, double *to)
+{
+    row v;
+
+    switch (op) {
+    case PROGRAM_ADD: for (uint32_t l = 0; l < PROGRAM_LANES; l++) v[l] = a[l] + b[l]; break;
+    case PROGRAM_SUBTRACT: for (uint32_t l = 0; l < PROGRAM_LANES; l++) v[l] = a[l] - b[l]; break;
+    case PROGRAM_MULTIPLY: for (uint32_t l = 0; l < PROGRAM_LANES; l++) v[l] = a[l] * b[l]; break;
+    case PROGRAM_DIVIDE: for (uint32_t l = 0; l < PROGRAM_LANES; l++) v[l] = a[l] / b[l]; break;
+    case PROGRAM_LESS: for (uint32_t l = 0; l < PROGRAM_LANES; l++) v[l] = a[l] < b[l]; break;
+    case PROGRAM_AT_MOST: for (uint32_t l = 0; l < PROGRAM_LANES; l++) v[l] = a[l] <= b[l]; break;
+    case PROGRAM_EQUAL: for (uint32_t l = 0; l < PROGRAM_LANES; l++) v[l] = a[l] == b[l]; break;
+    case PROGRAM_UNEQUAL: for (uint32_t l = 0; l < PROGRAM_LANES; l++) v[l] = a[l] != b[l]; break;
+    case PROGRAM_AND: for (uint32_t l = 0; l < PROGRAM_LANES; l++) v[l] = (a[l] != 0.0) & (b[l] != 0.0); break;
+    default: for (uint32_t l = 0; l < PROGRAM_LANES; l++) v[l] = (a[l] != 0.0) | (b[l] != 0.0); break;
+    }
+    memcpy(to, v, sizeof v);
+}
+
+/* The arguments of one lane, in a row. */
+static const double *arguments_of(row *from, uint32_t count, uint32_t lane, double *out)
+{
+    for (uint32_t k = 0; k < count; k++)
+        out[k] = from[k][lane];
+    return out;
+}
+
+static void ask_host(const program_host *host, row *from, uint32_t part, uint32_t n, double *to)
+{
+    double own[INTERNAL_ARGUMENTS_MAX];
+    row v;
+
+    if (host->values)
+        host->values(host->self, from[0], part, n, v);
+    else
+        for (uint32_t l = 0; l < n; l++)
+            v[l] = host->value(host->self, arguments_of(from, host->arguments, l, own), part);
+    memcpy(to, v, n * sizeof *v);
+}
+
+/* What is done to each lane by itself. */
+static void take_lanes(const instruction *i, row *r, uint32_t n)
+{
+    double own[INTERNAL_ARGUMENTS_MAX];
+    row *const from = r + i->a;
+    double *const to = r[i->to];
+
+    for (uint32_t l = 0; l < n; l++)
+        switch ((program_op)i->op) {
+        case PROGRAM_ONE: to[l] = ones[i->b].of(from[0][l]); break;
+        case PROGRAM_TWO: to[l] = twos[i->c].of(from[0][l], r[i->b][l]); break;
+        case PROGRAM_SELECT: to[l] = choose(arguments_of(from, i->b, l, own), i->b); break;
+        default: to[l] = internal_value(i->b, arguments_of(from, internal_arguments(i->b), l, own)); break;
+        }
+}
+
+static void call_lanes(const program *callee, row *arguments, row *registers, uint32_t n, double *to)
+{
+    row v;
+
+    memcpy(registers, arguments, callee->parameters * sizeof *registers);
+    program_run_many(callee, registers[0], n, v);
+    memcpy(to, v, n * sizeof *v);
+}
+
+static void step_lanes(const program *p, const instruction *i, row *r, uint32_t n)
+{
+    switch ((program_op)i->op) {
+    case PROGRAM_CONSTANT:
+        for (uint32_t l = 0; l < PROGRAM_LANES; l++)
+            r[i->to][l] = p->constants[i->a];
+        break;
+    case PROGRAM_COPY: memmove(r[i->to], r[i->a], sizeof *r); break;
+    case PROGRAM_NEGATE:
+        for (uint32_t l = 0; l < PROGRAM_LANES; l++)
+            r[i->to][l] = -r[i->a][l];
+        break;
+    case PROGRAM_ONE: case PROGRAM_TWO: case PROGRAM_SELECT: case PROGRAM_INTERNAL: take_lanes(i, r, n); break;
+    case PROGRAM_HOST: ask_host(&p->hosts[i->b], r + i->a, i->c, n, r[i->to]); break;
+    case PROGRAM_CALL: call_lanes(p->callees[i->b], r + i->a, r + p->registers, n, r[i->to]); break;
+    default: take_row((program_op)i->op, r[i->a], r[i->b], r[i->to]); break;
+    }
+}
+
+/* Lanes may take different ways there. */
+static bool has_jumps(const program *p)
+{
+    for (uint32_t i = 0; i < p->count; i++)
+        if (p->code[i].op == PROGRAM_JUMP_ABOVE || p->code[i].op == PROGRAM_JUMP_WITHIN)
+            return true;
+    return false;
+}
+
+void program_run_many(const program *p, double *registers, uint32_t n, double *out)
+{
+    row *const r = (row *)registers;
+    double *const own = registers + PROGRAM_LANES * (size_t)p->capacity;
+
+    if (has_jumps(p)) {
+        for (uint32_t l = 0; l < n; l++) {
+            arguments_of(r, p->parameters, l, own);
+            out[l] = program_run(p, own);
+        }
+        return;
+    }
+    for (uint32_t i = 0; i < p->count; i++)
+        step_lanes(p, &p->code[i], r, n);
+    memcpy(out, r[p->result], n * sizeof *out);
+}

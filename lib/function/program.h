@@ -24,10 +24,16 @@ typedef enum program_op {
 
 typedef struct instruction { uint16_t op, c; uint32_t to, a, b; } instruction;
 
+/* Several runs go side by side: argument or register a of lane i is at [a * PROGRAM_LANES + i]. */
+enum { PROGRAM_LANES = 16 };
+
 /* What others compute: noise, patterns, pigments. Any thread may ask. */
 typedef struct program_host {
     double (*value)(const void *self, const double *arguments, uint32_t part);
+    /* Of the first n lanes, with the same bits; may be NULL. */
+    void (*values)(const void *self, const double *arguments, uint32_t part, uint32_t n, double *out);
     const void *self;
+    uint32_t arguments;
 } program_host;
 
 /* Plain data, in one owner's memory. */
@@ -44,6 +50,11 @@ typedef struct program {
 
 /* `registers` has capacity for program->capacity of them; the first hold the arguments. */
 double program_run(const program *p, double *registers);
+
+/* The same for n lanes, n up to PROGRAM_LANES, with the same bits. `registers` has room for program_lanes_capacity(); the first hold the
+ * arguments of all lanes, of which those from n on may be any numbers. */
+void program_run_many(const program *p, double *registers, uint32_t n, double *out);
+static inline size_t program_lanes_capacity(const program *p) { return (PROGRAM_LANES + 1) * (size_t)p->capacity; }
 
 /* The number of a function of one or two arguments; -1: unknown name. */
 int program_one_argument(const char *name);

@@ -207,7 +207,7 @@ static int component_of(compiler *c, const function *f)
 
 static uint32_t call_part(compiler *c, const function *f)
 {
-    const program_host host = { function_host_value, f };
+    const program_host host = { function_host_value, function_host_values, f, f->kind == FUNCTION_SPLINE ? 1 : 3 };
     const uint32_t mark = c->next;
     uint32_t first;
     int part;
@@ -477,7 +477,7 @@ bool formula_compile(pov_reader *in, symbol *const *parameters, uint32_t count, 
 
 bool formula_internal(pov_reader *in, uint32_t number, program *out)
 {
-    const program_host host = { noise_function_find(number), in->model };
+    const program_host host = { noise_function_find(number), NULL, in->model, internal_arguments(number) };
     compiler c;
 
     memset(&c, 0, sizeof c);

@@ -4,19 +4,12 @@
 #include "sdl/spline.h"
 #include "texture/points.h"
 
-#include <string.h>
-
 static pov_vec3 vector_of(const double *at) { return pov_vec3_of(at[0], at[1], at[2]); }
 
-static void put_point(const double *at, texture_points *out)
-{
-    out->has_surface = false;
-    texture_point(NULL, vector_of(at), pov_vec3_of(0.0, 0.0, 0.0), 0, out);
-}
-
 /* In functions ripples and waves have their usual number of sources, whatever the settings say. */
-static void find_values(const function *f, const texture_points *points, uint32_t n, double *found)
+static void values_of_pattern(const function *f, const texture_points *points, uint32_t n, double *out)
 {
+    SIMD_ALIGNED double found[LANES_MAX];
     pattern_input in;
     vec_lanes own;
 
@@ -24,28 +17,28 @@ static void find_values(const function *f, const texture_points *points, uint32_
     in = points_input(f->model, f->pattern, points, &own, n);
     in.waves = NOISE_WAVES;
     points_values(&in, found);
-}
-
-static double value_of_pattern(const function *f, const double *at)
-{
-    SIMD_ALIGNED double found[LANES_MAX];
-    texture_points points;
-
-    put_point(at, &points);
-    find_values(f, &points, 1, found);
-    return found[0];
-}
-
-void function_host_values(const function *f, const vec_lanes *at, uint32_t n, double *out)
-{
-    SIMD_ALIGNED double found[LANES_MAX];
-    texture_points points;
-
-    points.has_surface = false;
-    for (uint32_t i = 0; i < n; i++)
-        texture_point(NULL, lanes_at(at, i), pov_vec3_of(0.0, 0.0, 0.0), i, &points);
-    find_values(f, &points, n, found);
     memcpy(out, found, n * sizeof *out);
+}
+
+static void put_colour(const pigment *p, double out[5])
+{
+    out[0] = (double)p->color.r;
+    out[1] = (double)p->color.g;
+    out[2] = (double)p->color.b;
+    out[3] = (double)p->filter;
+    out[4] = (double)p->transmit;
+}
+
+static void parts_of_pigment(const function *f, const texture_points *points, uint32_t part, uint32_t n, double *out)
+{
+    pigment found[LANES_MAX];
+    double v[5];
+
+    pigment_eval(f->model, f->pigment, points, n, found);
+    for (uint32_t i = 0; i < n; i++) {
+        put_colour(&found[i], v);
+        out[i] = expression_part(v, (int)part);
+    }
 }
 
 void function_host_colour(const function *f, const double *at, double out[5])
@@ -53,13 +46,10 @@ void function_host_colour(const function *f, const double *at, double out[5])
     texture_points points;
     pigment p;
 
-    put_point(at, &points);
+    points.has_surface = false;
+    texture_point(NULL, vector_of(at), pov_vec3_of(0.0, 0.0, 0.0), 0, &points);
     pigment_eval(f->model, f->pigment, &points, 1, &p);
-    out[0] = (double)p.color.r;
-    out[1] = (double)p.color.g;
-    out[2] = (double)p.color.b;
-    out[3] = (double)p.filter;
-    out[4] = (double)p.transmit;
+    put_colour(&p, out);
 }
 
 pov_vec3 function_host_map(const function *f, const double *at)
@@ -70,26 +60,61 @@ pov_vec3 function_host_map(const function *f, const double *at)
     return p;
 }
 
-double function_host_value(const void *self, const double *at, uint32_t part)
+static double other_value(const function *f, const double *at, uint32_t part)
 {
-    const function *f = self;
     double v[5] = { 0.0 };
     pov_vec3 p;
 
-    switch (f->kind) {
-    case FUNCTION_PATTERN:
-        return value_of_pattern(f, at);
-    case FUNCTION_PIGMENT:
-        function_host_colour(f, at, v);
-        break;
-    case FUNCTION_TRANSFORM:
+    if (f->kind == FUNCTION_TRANSFORM) {
         p = function_host_map(f, at);
         v[0] = p.x;
         v[1] = p.y;
         v[2] = p.z;
-        break;
-    default:
+    } else {
         spline_at(f->curve, at[0], v);
     }
     return expression_part(v, (int)part);
+}
+
+/* Argument a of point i is at[a * apart + i]. */
+static void find_values(const function *f, const double *at, uint32_t apart, uint32_t part, uint32_t n, double *out)
+{
+    const double *y = at + apart, *z = y + apart;
+    texture_points points;
+
+    points.has_surface = false;
+    for (uint32_t i = 0; i < n; i++)
+        texture_point(NULL, pov_vec3_of(at[i], y[i], z[i]), pov_vec3_of(0.0, 0.0, 0.0), i, &points);
+    if (f->kind == FUNCTION_PATTERN)
+        values_of_pattern(f, &points, n, out);
+    else
+        parts_of_pigment(f, &points, part, n, out);
+}
+
+static bool is_textural(const function *f) { return f->kind == FUNCTION_PATTERN || f->kind == FUNCTION_PIGMENT; }
+
+double function_host_value(const void *self, const double *at, uint32_t part)
+{
+    double found;
+
+    if (!is_textural(self))
+        return other_value(self, at, part);
+    find_values(self, at, 1, part, 1, &found);
+    return found;
+}
+
+void function_host_values(const void *self, const double *at, uint32_t part, uint32_t n, double *out)
+{
+    const function *f = self;
+
+    if (is_textural(f))
+        find_values(f, at, PROGRAM_LANES, part, n, out);
+    else
+        for (uint32_t i = 0; i < n; i++) {
+            /* A spline has one argument only. */
+            const bool is_curve = f->kind != FUNCTION_TRANSFORM;
+            const double one[3] = { at[i], is_curve ? 0.0 : at[PROGRAM_LANES + i], is_curve ? 0.0 : at[2 * PROGRAM_LANES + i] };
+
+            out[i] = other_value(f, one, part);
+        }
 }

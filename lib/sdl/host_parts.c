@@ -28,10 +28,27 @@ static double value_of_other(const pov_function *self, const double *arguments, 
     return function_host_value(((const served *)(const void *)self)->of, arguments, 0);
 }
 
+enum { SAME_LANES = 1 / (POV_VALUES == (int)PROGRAM_LANES) };   /* a program's lanes are those of the interface */
+
+static void values_of_formula(const pov_function *self, const double *arguments, uint32_t n, double *memory, double *out)
+{
+    const program *p = &((const served *)(const void *)self)->of->program;
+
+    memcpy(memory, arguments, p->parameters * POV_VALUES * sizeof *memory);
+    program_run_many(p, memory, n, out);
+}
+
+static void values_of_other(const pov_function *self, const double *arguments, uint32_t n, double *memory, double *out)
+{
+    (void)memory;
+    function_host_values(((const served *)(const void *)self)->of, arguments, 0, n, out);
+}
+
 const pov_function *host_function(pov_reader *in, uint32_t n)
 {
     const value v = in->failed ? value_of_number(0.0) : function_read_of(in, n);
     served *s = in->failed ? NULL : state_alloc(in, sizeof *s, 16);
+    bool is_formula;
 
     if (!s)
         return NULL;
@@ -40,9 +57,12 @@ const pov_function *host_function(pov_reader *in, uint32_t n)
         report_fail(in, &in->last, POV_E_SYNTAX, "expected a function that gives a number");
         return NULL;
     }
-    s->service.value = s->of->kind == FUNCTION_FORMULA ? value_of_formula : value_of_other;
-    s->service.parameters = s->of->kind == FUNCTION_FORMULA ? s->of->program.parameters : 3;
-    s->service.memory = s->of->kind == FUNCTION_FORMULA ? s->of->program.capacity : 1;
+    is_formula = s->of->kind == FUNCTION_FORMULA;
+    s->service.value = is_formula ? value_of_formula : value_of_other;
+    s->service.values = is_formula ? values_of_formula : values_of_other;
+    s->service.parameters = is_formula ? s->of->program.parameters : 3;
+    s->service.memory = is_formula ? s->of->program.capacity : 1;
+    s->service.memory_many = is_formula ? (uint32_t)program_lanes_capacity(&s->of->program) : 1;
     return &s->service;
 }
 

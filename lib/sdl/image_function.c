@@ -5,8 +5,6 @@
 #include "sdl/report.h"
 #include "sdl/value.h"
 
-#include <string.h>
-
 enum { SIDE_MAX = 1 << 15 };
 
 static uint32_t parse_side(pov_reader *in)
@@ -27,29 +25,20 @@ static uint16_t sample_of(double v)
     return (uint16_t)(v > 0.0 ? v < 1.0 ? 65535.0 * v : 65535.0 : 0.0);
 }
 
+/* Several pixels of a row at once. */
 static void fill(const pov_function *f, const image *of, uint16_t *samples, double *memory)
 {
-    for (uint32_t row = 0; row < of->height; row++)
-        for (uint32_t column = 0; column < of->width; column++) {
-            const double at[3] = { place_of(column, of->width), place_of(row, of->height), 0.0 };
-
-            samples[(size_t)row * of->width + column] = sample_of(f->value(f, at, memory));
-        }
-}
-
-/* Patterns are asked for many pixels at once. */
-static void fill_pattern(const function *f, const image *of, uint16_t *samples)
-{
-    SIMD_ALIGNED double found[LANES_MAX];
-    vec_lanes at;
+    double at[3][POV_VALUES] = { { 0.0 } }, found[POV_VALUES];
 
     for (uint32_t row = 0; row < of->height; row++)
-        for (uint32_t from = 0; from < of->width; from += LANES_MAX) {
-            const uint32_t n = of->width - from < LANES_MAX ? of->width - from : LANES_MAX;
+        for (uint32_t from = 0; from < of->width; from += POV_VALUES) {
+            const uint32_t n = of->width - from < POV_VALUES ? of->width - from : POV_VALUES;
 
-            for (uint32_t i = 0; i < n; i++)
-                lanes_put(&at, i, pov_vec3_of(place_of(from + i, of->width), place_of(row, of->height), 0.0));
-            function_host_values(f, &at, n, found);
+            for (uint32_t i = 0; i < POV_VALUES; i++) {
+                at[0][i] = place_of(from + i, of->width);
+                at[1][i] = place_of(row, of->height);
+            }
+            f->values(f, at[0], n, memory, found);
             for (uint32_t i = 0; i < n; i++)
                 samples[(size_t)row * of->width + from + i] = sample_of(found[i]);
         }
@@ -92,13 +81,11 @@ const image *image_function_parse(pov_reader *in, bool colours)
     out->encoding = POV_ENCODING_STORED;
     out->stride = sizeof *samples * out->channels * out->width;
     samples = state_alloc(in, out->stride * out->height, 16);
-    memory = state_alloc(in, (f->memory + 1) * sizeof *memory, 16);
+    memory = state_alloc(in, f->memory_many * sizeof *memory, 16);
     if (in->failed)
         return NULL;
     if (colours)
         fill_colours(host_function_of(f), out, samples);
-    else if (host_function_of(f)->kind == FUNCTION_PATTERN)
-        fill_pattern(host_function_of(f), out, samples);
     else
         fill(f, out, samples, memory);
     out->samples = (unsigned char *)samples;

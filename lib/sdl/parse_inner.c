@@ -74,14 +74,45 @@ static void read_object(pov_reader *in, object_pattern *self)
 /* Registers that a function of a pattern may use; they are on the stack of who asks. */
 enum { REGISTERS_MAX = 1024 };
 
-static double run(const void *self, const double *at, uint32_t part)
+/* Coordinate a of point i is at[a * PROGRAM_LANES + i]; n is at most that. */
+static void run_each(const program *p, const double *at, uint32_t n, double *out)
 {
-    const program *p = self;
     double registers[REGISTERS_MAX];
 
-    (void)part;
-    memcpy(registers, at, 3 * sizeof *registers);
-    return program_run(p, registers);
+    for (uint32_t i = 0; i < n; i++) {
+        for (int k = 0; k < 3; k++)
+            registers[k] = at[k * PROGRAM_LANES + i];
+        out[i] = program_run(p, registers);
+    }
+}
+
+/* The registers of a large program would fill too much of the stack side by side. */
+static void run(const function *f, const double *at, uint32_t n, double *out)
+{
+    enum { SIDE_BY_SIDE = 2 * REGISTERS_MAX };
+    double registers[SIDE_BY_SIDE];
+
+    if (f->kind != FUNCTION_FORMULA) {
+        function_host_values(f, at, 0, n, out);
+    } else if (n == 1 || program_lanes_capacity(&f->program) > SIDE_BY_SIDE) {
+        run_each(&f->program, at, n, out);
+    } else {
+        memcpy(registers, at, 3 * PROGRAM_LANES * sizeof *registers);
+        program_run_many(&f->program, registers, n, out);
+    }
+}
+
+static void values_of_function(const void *self, const vec_lanes *points, uint32_t n, double *out)
+{
+    double at[3][PROGRAM_LANES] = { { 0.0 } };
+
+    for (uint32_t first = 0, some; first < n; first += some) {
+        some = n - first < PROGRAM_LANES ? n - first : PROGRAM_LANES;
+        memcpy(at[0], points->x + first, some * sizeof at[0][0]);
+        memcpy(at[1], points->y + first, some * sizeof at[0][0]);
+        memcpy(at[2], points->z + first, some * sizeof at[0][0]);
+        run(self, at[0], some, out + first);
+    }
 }
 
 static void read_function(pov_reader *in, function_pattern *self)
@@ -92,14 +123,10 @@ static void read_function(pov_reader *in, function_pattern *self)
 
     if (in->failed)
         return;
-    if (f->kind != FUNCTION_FORMULA) {
-        *self = (function_pattern){ function_host_value, f };
-        return;
-    }
-    if (f->program.parameters > 3 || f->program.capacity > REGISTERS_MAX)
+    if (f->kind == FUNCTION_FORMULA && (f->program.parameters > 3 || f->program.capacity > REGISTERS_MAX))
         report_fail(in, &at, POV_E_SYNTAX, f->program.parameters > 3 ? "the function of a pattern has at most three parameters" :
                     "this function is too large for a pattern");
-    *self = (function_pattern){ run, &f->program };
+    *self = (function_pattern){ values_of_function, f };
 }
 
 bool parse_inner(pov_reader *in, const pattern_class *class, void *self, block *b, bool *is_open)

@@ -87,13 +87,9 @@ static void evaluate_function(const pattern_input *in, double *value)
 {
     const function_pattern *self = in->of->self;
 
-    for (uint32_t i = 0; i < in->n; i++) {
-        const double at[3] = { in->at->x[i], in->at->y[i], in->at->z[i] };
-
-        value[i] = self->value(self->self, at, 0);
-        if (value[i] > 1.0)
-            value[i] -= floor(value[i]);
-    }
+    self->values(self->self, in->at, in->n, value);
+    for (uint32_t i = 0; i < in->n; i++)
+        value[i] = value[i] > 1.0 ? value[i] - floor(value[i]) : value[i];
 }
 
 const pattern_class pattern_function = {

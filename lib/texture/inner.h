@@ -20,7 +20,7 @@ typedef struct pigment_pattern { const pigment_node *pigment; } pigment_pattern;
 
 /* What a function of x, y and z is asked with. */
 typedef struct function_pattern {
-    double (*value)(const void *self, const double *at, uint32_t part);
+    void (*values)(const void *self, const vec_lanes *at, uint32_t n, double *out);
     const void *self;
 } function_pattern;
 

@@ -44,6 +44,22 @@ static uint32_t read_count(const pov_host *host, pov_reader *in)
     return n >= 2.0 && n <= 65536.0 ? (uint32_t)n : 2;
 }
 
+/* Those from column x on. */
+static void read_values(const height_field *f, const pov_function *of, double *memory, uint32_t x, uint32_t z, uint16_t *out)
+{
+    const uint32_t n = f->wide - x < POV_VALUES ? f->wide - x : POV_VALUES;
+    double at[3][POV_VALUES], values[POV_VALUES];
+
+    for (uint32_t i = 0; i < POV_VALUES; i++) {
+        at[0][i] = (x + i) / (f->wide - 1.0);
+        at[1][i] = 1.0 - z / (f->deep - 1.0);
+        at[2][i] = 0.0;
+    }
+    of->values(of, at[0], n, memory, values);
+    for (uint32_t i = 0; i < n; i++)
+        out[i] = (uint16_t)(values[i] > 0.0 ? values[i] < 1.0 ? 65535.0 * values[i] : 65535.0 : 0.0);
+}
+
 /* As if it were an image of 16 bits, whose rows come from the top. */
 static void read_function(height_field *f, const pov_host *host, pov_reader *in)
 {
@@ -55,15 +71,11 @@ static void read_function(height_field *f, const pov_host *host, pov_reader *in)
     host->accept(in, ",");
     f->deep = read_count(host, in);
     of = host->function(in, 3);
-    memory = of ? host->alloc(in, of->memory * sizeof *memory) : NULL;
+    memory = of ? host->alloc(in, of->memory_many * sizeof *memory) : NULL;
     out = memory ? room(f, host, in) : NULL;
     for (uint32_t z = 0; out && z < f->deep; z++)
-        for (uint32_t x = 0; x < f->wide; x++) {
-            const double at[3] = { x / (f->wide - 1.0), 1.0 - z / (f->deep - 1.0), 0.0 };
-            const double value = of->value(of, at, memory);
-
-            out[(size_t)z * f->wide + x] = (uint16_t)(value > 0.0 ? value < 1.0 ? 65535.0 * value : 65535.0 : 0.0);
-        }
+        for (uint32_t x = 0; x < f->wide; x += POV_VALUES)
+            read_values(f, of, memory, x, z, out + (size_t)z * f->wide + x);
     f->height = out;
 }
 

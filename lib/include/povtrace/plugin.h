@@ -2,9 +2,8 @@
  *
  * A plugin is a shared object named after its scene keyword (primitives/torus.so) or file ending (images/png.so),
  * linked against nothing of povtrace, exporting one data symbol. Nothing in it ranges when it is loaded. Its contents are
- * described in other headers: a primitive in shape.h (its fast extension in shape_fast.h), an image format in image.h,
- * a plot format in plot.h. Growth is by appending members: each side reads only as many bytes as the other side's
- * `size` says.
+ * described in shape.h (its fast extension in shape_fast.h), image.h and plot.h. Growth is by appending members: each
+ * side reads only as many bytes as the other side's `size` says.
  *
  * [load] is called on the thread that loads a scene; several scenes may load at once, each with instances of its own.
  *
@@ -51,11 +50,14 @@ typedef struct pov_function {
     /* [render] Its value at as many arguments as it has parameters; `memory`: as many doubles as it says, of any content. */
     double (*value)(const struct pov_function *self, const double *arguments, double *memory);
     uint32_t parameters, memory;
+    /* [render] At up to POV_VALUES points: argument a of point i is arguments[a * POV_VALUES + i]; `memory`: memory_many. */
+    void (*values)(const struct pov_function *self, const double *arguments, uint32_t n, double *memory, double *out);
+    uint32_t memory_many;
 } pov_function;
 
 /* A number over stretches of lines, one in each lane. Let u go from -1 to 1 along a stretch: the number is middle + slope u,
  * off by at most `off`, and its derivative by u is slope, off by at most `slope_off`. What is not known is infinite or NaN. */
-enum { POV_FORMS = 8, POV_SLOPES = 4 };
+enum { POV_FORMS = 8, POV_SLOPES = 4, POV_VALUES = 16 };
 typedef struct pov_form { double middle[POV_FORMS], slope[POV_FORMS], off[POV_FORMS], slope_off[POV_FORMS]; } pov_form;
 /* A number at points of lines, and its derivative along them. */
 typedef struct pov_slope { double value[POV_SLOPES], slope[POV_SLOPES]; } pov_slope;
@@ -91,7 +93,6 @@ typedef struct pov_host {
     const void *(*file)(pov_reader *in, const char *name, size_t *bytes);
     /* A hierarchy over n boxes, at least one, finite; items are numbered like their boxes. NULL after an error. */
     const pov_hierarchy *(*hierarchy)(pov_reader *in, const pov_box *boxes, uint32_t n);
-    /* abi 4 began with these. */
     /* The heights, in 1/65536, that an image stands for: `png "name"`, a format's word or none before the name. Rows from
      * the top; they live as long as the scene. NULL after an error. */
     const uint16_t *(*heights)(pov_reader *in, uint32_t *width, uint32_t *height);
@@ -104,8 +105,7 @@ typedef struct pov_host {
     const pov_hierarchy *(*hierarchy_in_order)(pov_reader *in, uint32_t n,
                                                void (*box)(void *user, uint32_t which, pov_box *out), void *user,
                                                uint32_t *order);
-    /* A texture, which is next; its number among those of this object, for textures() of the class. Equal ones have one
-     * number. */
+    /* A texture, which is next: its number among those of this object, for textures() of the class. Equal ones share one. */
     uint32_t (*texture)(pov_reader *in);
     bool (*next_is)(pov_reader *in, const char *word);   /* is it next? As accept(), but it stays there */
     bool (*more_numbers)(pov_reader *in);                /* does a value come next that is a number? */
