@@ -89,7 +89,8 @@ check "without a display it says so and names --shot" \
     sh -c '[ $0 -eq 1 ] && grep -q "cannot open a window.*--shot" err' $?
 
 exec 3> display
-Xvfb -displayfd 3 -screen 0 1024x768x24 -nolisten tcp >/dev/null 2>&1 &
+# Without -noreset it starts over when a viewer has closed, and refuses the next one meanwhile.
+Xvfb -noreset -displayfd 3 -screen 0 1024x768x24 -nolisten tcp >/dev/null 2>&1 &
 server=$!
 exec 3>&-
 within test -s display || { echo "Xvfb did not start"; echo "$passed passed, 1 failed"; exit 1; }
