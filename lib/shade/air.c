@@ -218,7 +218,6 @@ void air_cross(shade_context *c, const air_segments *s, uint32_t i, bool seen, p
     const veil v = seen ? veil_of(c, s, i) : media_veil(c, p, &so_far);
 
     *dimmed = *p;
-    dimmed->travelled = seen ? 0.0 : so_far.length;
     dimmed->factor.by = colour_mul(p->factor.by, v.by);
     dimmed->clear = p->clear * colour_grey(v.by);
     accumulate(p, v.given, out);

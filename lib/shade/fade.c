@@ -31,10 +31,11 @@ void fade_inside(const shade_context *c, const path *p, const pov_ray *ray, cons
     const shading *scene = c->scene;
     const uint32_t solid = shading_solid(scene, h->object);
     const interior *in = dielectric_interior(scene->model, solid);
+    const double before = c->photons_fly ? 0.0 : p->travelled;   /* photons see all surfaces */
 
     if (!(in->fade_distance > 0.0) || !dielectric_is_in(&c->dielectrics, p->inside, solid))
         return;
-    *by = fade_over(in, length_of(pov_sub(h->point, ray->org)));
+    *by = fade_over(in, before + length_of(pov_sub(h->point, ray->org)));
 }
 
 /* ---- light ---- */

@@ -91,6 +91,7 @@ static void add(gathering *to, uint32_t i, bool behind, colour by)
     next->clear = 0.0f;
     next->mirrored = false;
     next->gathering = true;
+    next->travelled = 0.0;
     next->gathers++;
     spawn_turn(next, behind ? TURN_GATHERING_BEHIND : TURN_GATHERING);
     if (behind) {

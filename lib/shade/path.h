@@ -16,8 +16,8 @@ typedef struct path {
     uint32_t coincident, above;  /* it starts on coincident surfaces: index in context->coincident_sets, counted from 1,
                                   * and its sides of them; 0: it does not */
     dielectric_span inside;      /* the dielectrics around it */
-    double travelled;            /* how far a photon came until it started here; where there is fog, how far another path
-                                  * did from the last surface that it sees, across others */
+    double travelled;            /* how far a photon came until it started here, or another path from the last surface that
+                                  * it sees, across others */
     uint32_t solids;             /* where there is fog or media: how many solids it is in that are not hollow */
     uint32_t branch;             /* mixed from its turns: different paths of a camera ray have different random numbers */
     float clear;                 /* in pictures with alpha: how much of what is behind it shines through; 0: it was reflected */

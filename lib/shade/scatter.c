@@ -41,6 +41,7 @@ typedef struct scattering {
     batch_queue *queue;
     limits limits;
     bool fading, dispersion, dims;   /* there are interiors of these kinds, and fog */
+    bool hidden;                 /* rays, not photons, that do not see all surfaces */
     uint64_t reflected, transmitted;   /* numbers of them */
 } scattering;
 
@@ -63,6 +64,8 @@ static inline void finish_reflected(scattering *to, batch *b, path *next, const 
 
     next->clear = 0.0f;
     next->mirrored = true;
+    if (to->hidden)
+        next->travelled = 0.0;
     spawn_turn(next, TURN_MIRRORED);
     if (side < 0.0) {
         world_origin_transmit(ray, s->at, -side);
@@ -132,6 +135,14 @@ static inline void reflect_some(scattering *to, const surface *s, uint32_t lane)
 
 /* ---- transmitted rays ---- */
 
+/* How far the transmitted ray came since the last surface that it sees. */
+static double travelled_across(const scattering *to, const surface *s)
+{
+    const pov_vec3 step = pov_sub(s->at->point, s->ray->org);
+
+    return s->appearance == &to->context->scene->unseen ? s->from->travelled + sqrt(pov_dot(step, step)) : 0.0;
+}
+
 /* A path on the surface's other side, at this cosine to the normal. NULL: the path is cut off. */
 static inline path *spawn_across(scattering *to, const surface *s, const coefficient *by, pov_vec3 direction, double cosine, bool deeper)
 {
@@ -152,6 +163,8 @@ static inline path *spawn_across(scattering *to, const surface *s, const coeffic
     next->above ^= 1u << s->on;
     if (s->from->gathering)
         next->gathering = s->appearance == &to->context->scene->unseen;
+    if (to->hidden)
+        next->travelled = travelled_across(to, s);
     spawn_turn(next, TURN_TRANSMITTED);
     if (to->context->alpha)
         next->clear *= colour_grey(to->fading ? colour_mul(by->by, s->faded) : by->by);
@@ -380,7 +393,7 @@ static scattering begin(shade_context *c, const surfaces *on, batch_queue *q)
     const float weight = photons ? photons->bailout : (float)m->adc_bailout;
     const limits l = { level, m->opaque_last_level ? level : INT_MAX, weight, 0, 0 };
     const plan *p = c->scene->plan;
-    const scattering to = { c, on, q, l, p->fading, p->dispersion, c->scene->dims, 0, 0 };
+    const scattering to = { c, on, q, l, p->fading, p->dispersion, c->scene->dims, p->hidden && !photons, 0, 0 };
 
     return to;
 }

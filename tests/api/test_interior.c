@@ -117,6 +117,17 @@ static void hidden_objects_are_passed(void **state)
                 0.25, 0.25, 0.25);
 }
 
+/* Also where there is fog. */
+static void light_fades_over_all_of_a_way_across_what_is_not_seen(void **state)
+{
+#define ROOM "box { <-1, -1, 0>, <1, 1, 3> " CLEAR FADES "} sphere { <0, 0, 1.5>, 0.5 no_image pigment { rgb 0 } } "
+    (void)state;
+    assert_seen(ROOM, 0.25, 0.25, 0.25);
+    assert_seen(ROOM "fog { distance 1e9 rgb 0 } plane { -z, -5 pigment { rgb 1 } finish { ambient 1 diffuse 0 } }", 0.25, 0.25, 0.25);
+    assert_seen("plane { -z, -5 pigment { rgb 0 } finish { reflection 1 } } box { <-1, -1, 0>, <1, 1, 3> no_image "
+                CLEAR FADES "}", 0.25, 0.25, 0.25);
+}
+
 static void white_light_is_dispersed_into_its_colours(void **state)
 {
     (void)state;
@@ -146,6 +157,7 @@ int main(void)
         cmocka_unit_test(light_fades_between_two_surfaces_of_one_interior),
         cmocka_unit_test(members_with_interiors_of_their_own_are_solids_of_their_own),
         cmocka_unit_test(hidden_objects_are_passed),
+        cmocka_unit_test(light_fades_over_all_of_a_way_across_what_is_not_seen),
         cmocka_unit_test(white_light_is_dispersed_into_its_colours),
         cmocka_unit_test(dispersed_colours_are_turned_back_one_by_one),
     };
