@@ -301,6 +301,7 @@ const rainbow *parse_rainbow_node(pov_reader *in)
     r.up = pov_vec3_of(0.0, 1.0, 0.0);
     r.direction = pov_vec3_of(0.0, 0.0, 1.0);
     r.arc = r.falloff = 360.0;
+    r.distance = 1e7;
     items_block(in, &list, &r);
     return in->failed ? NULL : keep(in, &r, sizeof r);
 }
@@ -315,7 +316,7 @@ void parse_rainbow(pov_reader *in, void *self, keyword_id keyword)
     if (!r)
         return;
     if (!(r->distance > 0.0 && r->width > 0.0 && r->count > 0)) {
-        report_warn(in, &at, "a rainbow without a \"distance\", a \"width\" and a \"color_map\" is left out");
+        report_warn(in, &at, "a rainbow without a \"width\" and a \"color_map\", or whose \"distance\" is not above 0, is left out");
         return;
     }
     if (!VEC_PUSH(in->model->env, &in->model->rainbows, *r))

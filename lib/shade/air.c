@@ -80,12 +80,16 @@ static bool rainbow_veil(const rainbow *r, const segment *s, veil *out)
     const double at = (angle - r->angle + 0.5 * r->width) / r->width;
     const double passed = elementary_exp(-s->length / r->distance);
     float weight, filter;
+    double share;
     pigment c;
 
     if (!(at >= 0.0 && at <= 1.0 && angle < 90.0))
         return false;
+    share = arc_share(r, s->dir);
+    if (share == 0.0)
+        return false;
     c = map_colour(r, at);
-    weight = (float)fmin(1.0 - passed, (1.0 - (double)c.transmit) * arc_share(r, s->dir));
+    weight = (float)fmin(1.0 - passed, (1.0 - (double)c.transmit) * share);
     filter = c.filter * weight;
     out->by = colour_add(colour_of(1.0f - filter, 1.0f - filter, 1.0f - filter), colour_scale(c.color, filter));
     out->by = colour_scale(out->by, 1.0f - weight);

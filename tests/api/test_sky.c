@@ -12,7 +12,7 @@ static void assert_seen(const char *version, const char *body, double red, doubl
     pov_render_desc desc = POV_INIT(desc);
     pov_context *context = scenes_context();
     pov_scene *scene;
-    char text[512];
+    char text[1024];
     float *picture;
 
     snprintf(text, sizeof text, "#version %s; global_settings { assumed_gamma 1 } camera { location 0 look_at y + z }\n%s", version, body);
@@ -117,6 +117,21 @@ static void the_arc_of_a_rainbow_limits_what_its_distance_leaves(void **state)
     assert_seen("3.7", body, 0.1, 0.1, 0.1);
 }
 
+/* As measured. The mean is of the bows that are there: one whose arc is elsewhere does not count. Without a distance it is 1e7. */
+static void bows_whose_arcs_are_elsewhere_do_not_count(void **state)
+{
+    static const char map[] = "color_map { [0 rgb <.2, .4, .8>] [1 rgb <.2, .4, .8>] }";
+    char body[1024];
+
+    (void)state;
+    snprintf(body, sizeof body, "rainbow { direction z angle 45 width 20 distance 20 %s } rainbow { direction z angle 45 width 20 %s up -x "
+             "arc_angle 60 falloff_angle 40 }", map, map);
+    assert_seen("3.7", body, 0.2, 0.4, 0.8);
+    snprintf(body, sizeof body, "plane { -z, -1e7 pigment { rgb 0 } finish { ambient 0 diffuse 0 } } rainbow { direction z angle 45 width 20 "
+             "color_map { [0 rgb 1] [1 rgb 1] } }");
+    assert_seen("3.7", body, 1.0 - exp(-sqrt(2.0)), 1.0 - exp(-sqrt(2.0)), 1.0 - exp(-sqrt(2.0)));
+}
+
 /* What is behind a bow is filtered as far as the bow is there. It is in the half of the sky that it is directed to, and in no solid. */
 static void rainbows_filter_and_end_at_a_right_angle(void **state)
 {
@@ -142,6 +157,7 @@ int main(void)
         cmocka_unit_test(what_old_layers_filter_and_transmit_is_counted_apart),
         cmocka_unit_test(a_background_lets_nothing_through_before_version_3_7),
         cmocka_unit_test(a_solid_that_is_not_seen_holds_no_fog_up),
+        cmocka_unit_test(bows_whose_arcs_are_elsewhere_do_not_count),
         cmocka_unit_test(rainbows_filter_and_end_at_a_right_angle),
         cmocka_unit_test(a_way_across_what_is_not_seen_is_one),
         cmocka_unit_test(the_arc_of_a_rainbow_limits_what_its_distance_leaves),
