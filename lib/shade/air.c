@@ -53,6 +53,7 @@ static pigment map_colour(const rainbow *r, double at)
     b = r->colours[k + 1];
     share = (float)((at - (double)r->values[k]) / ((double)r->values[k + 1] - (double)r->values[k]));
     a.color = colour_add(colour_scale(a.color, 1.0f - share), colour_scale(b.color, share));
+    a.filter += share * (b.filter - a.filter);
     a.transmit += share * (b.transmit - a.transmit);
     return a;
 }
