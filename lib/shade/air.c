@@ -79,9 +79,8 @@ static bool rainbow_veil(const rainbow *r, const segment *s, veil *out)
 {
     const double angle = elementary_acos(fmin(1.0, fmax(-1.0, pov_dot(s->dir, r->direction)))) / degree;
     const double at = (angle - r->angle + 0.5 * r->width) / r->width;
-    const double passed = elementary_exp(-s->length / r->distance);
+    double share, passed;
     float weight, filter;
-    double share;
     pigment c;
 
     if (!(at >= 0.0 && at <= 1.0 && angle < 90.0))
@@ -89,6 +88,7 @@ static bool rainbow_veil(const rainbow *r, const segment *s, veil *out)
     share = arc_share(r, s->dir);
     if (share == 0.0)
         return false;
+    passed = elementary_exp(-s->length / r->distance);
     c = map_colour(r, at);
     weight = (float)fmin(1.0 - passed, (1.0 - (double)c.transmit) * share);
     filter = c.filter * weight;
