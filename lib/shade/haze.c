@@ -77,7 +77,7 @@ void haze_attenuate(const shade_context *c, const light *from, const path *p, co
     occlusion found;
     interior_walk w;
 
-    if (!(from->flags & LIGHT_ATTENUATED))
+    if (!(from->flags & LIGHT_ATTENUATED) || (scene->model->fogs.count == 0 && !scene->model->atmosphere))
         return;
     walk_begin(c, p, &w);
     found.crossed = 0;
