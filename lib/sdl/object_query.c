@@ -427,7 +427,7 @@ static bool own_bounds(pov_reader *in, const object_parsed *o, pov_box *out)
 static bool narrow(pov_reader *in, const object_parsed *o, const object_parsed *by, bool has_box, pov_box *out)
 {
     for (; by; by = by->next) {
-        object_parsed moved = *by;
+        object_parsed moved = parse_copy(by);
         pov_box box;
 
         parse_append_transforms(in, &moved.map, o->map, by->since);

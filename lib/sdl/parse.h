@@ -9,6 +9,7 @@
 
 #include <float.h>
 #include <math.h>
+#include <string.h>
 
 /* What is read of one object's surface and interior. */
 typedef struct surface_parsed {
@@ -53,6 +54,16 @@ typedef struct object_parsed {
 static inline const surface_parsed *parse_surface_of(const object_parsed *o)
 {
     return o->shared ? o->shared : &o->surface;
+}
+
+/* A copy to be changed: one that is kept ends before its surface. */
+static inline object_parsed parse_copy(const object_parsed *o)
+{
+    object_parsed copy;
+
+    memset(&copy, 0, sizeof copy);
+    memcpy(&copy, o, o->shared ? offsetof(object_parsed, surface) : sizeof copy);
+    return copy;
 }
 
 /* The whole text, statement by statement. */

@@ -177,7 +177,7 @@ static bool pays(const copied *c)
 static void add(pov_reader *in, const copied *c, const transform *map)
 {
     const surface_parsed defaults = *c->defaults, *placed = in->placed;
-    object_parsed o = *c->object;
+    object_parsed o = parse_copy(c->object);
     surface_parsed surface = *c->surface;
 
     o.map = c->map;
