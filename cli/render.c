@@ -1,6 +1,7 @@
 #include "render.h"
 #include "part.h"
 #include "partial.h"
+#include "pixels.h"
 #include "progress.h"
 #include "report.h"
 #include "save.h"
@@ -116,7 +117,7 @@ static pov_status prepare(render *r, pov_error *err)
     desc.reference_clipped = r->reference.bits < 32;
     if (a->parts > 0 && !take_part(r, &desc))
         return save_fail(err, POV_E_ARGUMENT, "", "the name of the image format is too long");
-    r->pixels = a->parts > 0 ? NULL : malloc(4 * sizeof(float) * (size_t)r->width * (size_t)r->height);
+    r->pixels = a->parts > 0 ? NULL : pixels_make((size_t)r->width, (size_t)r->height);
     if (!r->pixels && a->parts == 0)
         return save_fail(err, POV_E_MEMORY, "", "out of memory for a picture of this size");
     return pov_job_create(&r->job, r->scene, &desc, err);
