@@ -93,27 +93,26 @@ static pov_vec3 point_at(const bvh_frame *f, const pov_ray *ray, double t)
     return pov_scale(pov_vec3_of(x.hi + t * ray->dir_lo.x, y.hi + t * ray->dir_lo.y, z.hi + t * ray->dir_lo.z), f->scale);
 }
 
-/* Move the start to just before the cube. */
-static bool bring_near(const bvh_frame *f, const pov_ray *ray, bvh_local *l)
+bool bvh_bring_near(const bvh_frame *f, const pov_ray *ray, bvh_local *l)
 {
-    pov_vec3 o = l->org, d = l->dir, at;
-    double dd = pov_dot(d, d), length = sqrt(dd), along = -pov_dot(o, d) / dd, back;
+    const pov_vec3 o = l->org, d = l->dir;
+    double along = -pov_dot(o, d);
+    pov_vec3 at;
 
     if (!(fabs(along) < 1e200))
         return enter_blindly(l);
     /* The cube reaches to sqrt(3). For a ray that starts more than BVH_NEAR away it is ahead, or it is missed. */
     if (along <= 0.0)
         return false;
-    /* Start 4 before the point closest to the centre, and earlier by the rounding error of t. */
-    back = (4.0 + pov_largest(o) * 0x1p-48) / length;
-    l->shift = (along - back) / l->scale;
+    /* Start 4 before the point closest to the centre, and earlier by the rounding errors of t and of the length 1. */
+    l->shift = (along - (4.0 + pov_largest(o) * 0x1p-48)) / l->scale;
     at = point_at(f, ray, l->shift);
     /* Filters square such numbers, and multiples of the shift, in floats. */
     if (!(pov_largest(at) < 1e6) || !(fabs(l->shift) < 1e290))
         return enter_blindly(l);
     l->org = at;
     /* The cube's sphere has the square of its radius at 3; the subtraction loses some 2^-51 of its terms. */
-    along = pov_dot(at, d) / length;
+    along = pov_dot(at, d);
     return pov_dot(at, at) - along * along <= 4.0 + pov_dot(at, at) * 0x1p-33;
 }
 
@@ -135,5 +134,5 @@ bool bvh_enter_far(const bvh_frame *f, const pov_ray *ray, bvh_local *l)
         return enter_blindly(l);
     if (pov_largest(l->org) <= BVH_NEAR)
         return true;
-    return bring_near(f, ray, l);
+    return bvh_bring_near(f, ray, l);
 }

@@ -125,6 +125,8 @@ static inline uint32_t bvh_common_octant(const pov_ray *const *rays, uint32_t n)
 #define BVH_SMALL 0x1p-600
 #define BVH_LARGE 0x1p600
 bool bvh_enter_far(const bvh_frame *frame, const pov_ray *ray, bvh_local *out);
+/* Move the start to just before the cube; the direction has unit length. */
+bool bvh_bring_near(const bvh_frame *frame, const pov_ray *ray, bvh_local *l);
 
 /* Transform a ray to a frame, given the length of its direction and the inverse of that. False: it misses. */
 static inline bool bvh_enter(const bvh_frame *frame, const pov_ray *ray, double length, double per_length, bvh_local *out)
@@ -137,10 +139,11 @@ static inline bool bvh_enter(const bvh_frame *frame, const pov_ray *ray, double 
     out->scale = frame->scale * length;
     out->shift = 0.0;
     out->slack = BVH_SLACK;
-    if (length > BVH_SHORT && length < BVH_LONG && frame->scale > BVH_SMALL && frame->scale < BVH_LARGE
-        && fabs(o.x) <= BVH_NEAR && fabs(o.y) <= BVH_NEAR && fabs(o.z) <= BVH_NEAR)
+    if (!(length > BVH_SHORT && length < BVH_LONG && frame->scale > BVH_SMALL && frame->scale < BVH_LARGE))
+        return bvh_enter_far(frame, ray, out);
+    if (fabs(o.x) <= BVH_NEAR && fabs(o.y) <= BVH_NEAR && fabs(o.z) <= BVH_NEAR)
         return true;
-    return bvh_enter_far(frame, ray, out);
+    return bvh_bring_near(frame, ray, out);
 }
 
 /* Store a ray in a frame for block filters. */
