@@ -43,7 +43,7 @@ static float phong_of(const plan *p, const finish *of)
     return power > 0 && power <= APPEARANCE_POWER_LANES && of->metallic == 0.0f ? of->phong : NAN;
 }
 
-void appearance_set_filter(appearance *out, const model *m, colour by)
+void onward_set_filter(onward *out, const model *m, colour by)
 {
     out->filter = coefficient_of(by);
     out->dark = m->opaque_dark_filters && appearance_is_dark(m, by);
@@ -82,7 +82,7 @@ static void paint(appearance *out, const plan *p, const model *m, const pigment 
         out->diffuse_weight = 0.0f;
     }
     out->emitted = own.emitted;
-    appearance_set_filter(out, m, own.filter);
+    onward_set_filter(&out->onward, m, own.filter);
 }
 
 static bool is_lit(const finish *f)
@@ -110,11 +110,12 @@ void appearance_make(appearance *out, const plan *p, const model *m, const finis
     out->kinds = kinds_of(f);
     out->powered = f->reflection.exponent != 1.0f;
     out->angular = finish_is_angular(f);
+    out->fresnel = f->reflection.fresnel && !colour_equal(f->reflection.min, f->reflection.max);
     out->reflective = p->reflection && finish_is_mirror(f);
     out->phong = phong_of(p, f);
     out->highlight_cutoff = out->phong == 0.0f ? 0.0 : cutoff_of(f, at->color);
     out->power = power_of(f);
-    out->reflection = coefficient_of(f->reflection.max);
+    out->onward.reflection = coefficient_of(f->reflection.max);
     paint(out, p, m, at, false);
     out->needs_point = out->lit || out->gathers || out->reflective || out->transmissive;
 }

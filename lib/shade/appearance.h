@@ -15,6 +15,12 @@ enum {
     FINISH_BRILLIANCE = 1, FINISH_SPECULAR = 2, FINISH_METAL = 4, FINISH_BACK = 8, FINISH_IRID = 16, FINISH_CRAND = 32
 };
 
+/* Coefficients of the rays that go on from a surface. */
+typedef struct onward {
+    coefficient reflection, filter;   /* of the reflected and the transmitted one */
+    bool dark;                   /* no ray goes through so dark a filter */
+} onward;
+
 typedef struct appearance {
     bool varies;                 /* the texture varies: the members below are those of the constant material, with lit,
                                   * reflective and transmissive true if they may be true anywhere */
@@ -23,8 +29,8 @@ typedef struct appearance {
     bool reflective, transmissive;   /* reflected or transmitted rays continue */
     bool clear;                  /* rays go through as if nothing were there */
     bool powered;                /* what is reflected is raised to a power */
-    bool dark;                   /* no ray goes through so dark a filter */
-    bool angular;                /* what is reflected or transmitted depends on the angle */
+    bool angular;                /* what is reflected or transmitted depends on the angle: surfaces have an `onward` of their own */
+    bool fresnel;                /* ... by the ior on both sides */
     bool even;                   /* of a material: it is the same from everywhere on one side */
     bool needs_point;            /* one of these: more than emission is seen of it */
     double highlight_cutoff;     /* at a specular cosine up to this the highlight adds nothing to a float of
@@ -37,7 +43,7 @@ typedef struct appearance {
     float diffuse_weight;        /* diffuse, times the opacity */
     float below_weight;          /* the same, instead, of light that is scattered below the surface */
     colour emitted;              /* emitted and ambient light */
-    coefficient reflection, filter;  /* coefficients of the reflected and the transmitted ray */
+    onward onward;               /* what goes on, but for the angle */
     uint32_t kinds;              /* FINISH_* */
     const finish *finish;
     const material *material;
@@ -57,7 +63,7 @@ static inline bool appearance_is_dark(const model *m, colour left)
     return (m->opaque_dark_filters ? fabsf(colour_luminance(left)) : colour_weight(left)) < (float)m->adc_bailout;
 }
 /* Set the filter of the transmitted ray. */
-void appearance_set_filter(appearance *out, const model *m, colour by);
+void onward_set_filter(onward *out, const model *m, colour by);
 /* Of an object with this material. */
 void appearance_set_material(appearance *out, const material *of);
 /* The same for another pigment; upper: it is a layer upon another. */

@@ -83,7 +83,7 @@ static void weigh(const shade_context *c, layers *l, uint32_t i)
     const appearance *a = l->on.at[i].appearance;
     appearance *own = &l->on.varying[i];
 
-    if (layer_weigh(&l->of[i], c->scene->model, a, &l->left))
+    if (layer_weigh(&l->of[i], c->scene->model, a, surfaces_onward(&l->on, i), &l->left))
         return;
     if (a != own)
         *own = *a;

@@ -75,7 +75,7 @@ static void set(const term_sum *sum, const material *of, appearance *out)
     out->emitted = sum->emitted;
     out->lit = sum->lit;
     out->transmissive = sum->goes_on;
-    appearance_set_filter(out, sum->scene->model, sum->left);
+    onward_set_filter(&out->onward, sum->scene->model, sum->left);
     appearance_set_material(out, of);
 }
 

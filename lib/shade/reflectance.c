@@ -118,16 +118,18 @@ static void find_all(reflectances *m, const model *of)
 /* The ior of the object over that of the dielectric entered last, and the inverse where the ray leaves the only one. That
  * is the ior ahead over that behind but for a ray that leaves one dielectric within another: POV-Ray sees none of
  * Fresnel's reflection there. */
-static double ratio_at(const shade_context *c, const surface *s)
+static double ratio_at(const shade_context *c, const surface *s, dielectric_crossing *at)
 {
-    const shading *scene = c->scene;
+    const model *m = c->scene->model;
     const dielectric_span in = s->from->inside;
-    const uint32_t object = shading_solid(scene, s->at->object);
-    const double own = dielectric_ior(dielectric_interior(scene->model, object), s->from->hue);
-    dielectric_crossing crossing;
+    const uint32_t object = shading_solid(c->scene, s->at->object);
 
-    dielectric_cross(&c->dielectrics, in, scene->model, object, s->from->hue, &crossing);
-    return in.count == 1 && crossing.index == 0 ? 1.0 / own : own / crossing.before;
+    dielectric_cross(&c->dielectrics, in, m, object, s->from->hue, at);
+    if (at->index == in.count)
+        return at->after / at->before;
+    if (at->index + 1 == in.count)
+        return in.count == 1 ? 1.0 / at->before : 1.0;
+    return dielectric_ior(dielectric_interior(m, object), s->from->hue) / at->before;
 }
 
 static void put_colour(float out[3][BATCH_MAX], uint32_t i, colour c)
@@ -137,16 +139,16 @@ static void put_colour(float out[3][BATCH_MAX], uint32_t i, colour c)
     out[2][i] = c.b;
 }
 
-static void add_one(const shade_context *c, reflectances *m, const surfaces *s, uint32_t lane)
+static void add_one(const shade_context *c, reflectances *m, surfaces *s, uint32_t lane)
 {
     const appearance *a = s->at[lane].appearance;
     const reflection *r = &a->finish->reflection;
-    const bool has_course = !colour_equal(r->min, r->max), fresnel = has_course && r->fresnel;
+    const bool has_course = !colour_equal(r->min, r->max), fresnel = a->fresnel;
     const uint32_t i = m->count++;
 
     m->of[i] = (uint8_t)lane;
     m->cosine[i] = s->geometry.cosine[lane];
-    m->ratio[i] = fresnel ? ratio_at(c, &s->at[lane]) : 1.0;
+    m->ratio[i] = fresnel ? ratio_at(c, &s->at[lane], &s->crossing[lane]) : 1.0;
     m->falloff[i] = has_course ? (double)r->falloff : 1.0;
     m->fresnel[i] = fresnel;
     m->weight[i] = fmaxf(colour_weight(r->min), colour_weight(r->max));   /* at any angle, as in POV-Ray */
@@ -159,70 +161,63 @@ static void add_one(const shade_context *c, reflectances *m, const surfaces *s, 
     m->has_metal |= r->metallic != 0.0f;
 }
 
-static void set(const shade_context *c, appearance *a, coefficient mirrored, const geometry *g, uint32_t lane)
+/* through: the factor of the filter. */
+static void set(const shade_context *c, surfaces *s, uint32_t lane, coefficient mirrored, float through)
 {
+    const appearance *a = s->at[lane].appearance;
     const finish *f = a->finish;
+    const geometry *g = &s->geometry;
     const colour by = mirrored.by;
+    onward *out = &s->onward[lane];
+    colour filter = a->onward.filter.by;
 
-    a->reflection = mirrored;
     if (f->conserve_energy)
-        appearance_set_filter(a, c->scene->model, colour_mul(a->filter.by, colour_of(1.0f - by.r, 1.0f - by.g, 1.0f - by.b)));
+        filter = colour_mul(filter, colour_of(1.0f - by.r, 1.0f - by.g, 1.0f - by.b));
+    onward_set_filter(out, c->scene->model, colour_scale(filter, through));
+    out->reflection = mirrored;
     if (f->irid.amount != 0.0f && !a->powered)
-        a->reflection.by = colour_mul(by, film_mirrored(c->scene->model, f, geometry_cosines(g, lane), lanes_at(&g->to.point, lane)));
-}
-
-/* The surface's appearance, to be changed. */
-static appearance *own_of(surfaces *s, uint32_t i)
-{
-    appearance *own = &s->varying[i];
-
-    if (s->at[i].appearance != own)
-        *own = *s->at[i].appearance;
-    s->at[i].appearance = own;
-    return own;
+        out->reflection.by = colour_mul(by, film_mirrored(c->scene->model, f, geometry_cosines(g, lane), lanes_at(&g->to.point, lane)));
 }
 
 /* What light loses on its way does not count in the weight of a ray, as POV-Ray has it: it is a factor of its own. */
-static void fade(const shade_context *c, surface *at)
+static void fade_all(const shade_context *c, surfaces *s)
 {
-    at->faded = colour_of(1.0f, 1.0f, 1.0f);
-    if (c->scene->plan->fading && !at->appearance->clear)
-        fade_inside(c, at->from, at->ray, at->at, &at->faded);
-}
-
-static void set_all(const shade_context *c, surfaces *s, reflectances *m)
-{
-    m->count = 0;
-    m->has_fresnel = m->has_powers = m->has_metal = false;
     for (uint32_t i = 0; i < s->count; i++) {
-        fade(c, &s->at[i]);
+        surface *at = &s->at[i];
+
+        at->faded = colour_of(1.0f, 1.0f, 1.0f);
+        if (!at->appearance->clear)
+            fade_inside(c, at->from, at->ray, at->at, &at->faded);
+    }
+}
+
+/* layered: the filter's factor is that of a whole stack. */
+static void set_all(const shade_context *c, surfaces *s, bool layered)
+{
+    reflectances m;
+
+    m.count = 0;
+    m.has_fresnel = m.has_powers = m.has_metal = false;
+    for (uint32_t i = 0; i < s->count; i++)
         if (s->at[i].appearance->angular)
-            add_one(c, m, s, i);
-    }
-    find_all(m, c->scene->model);
-    for (uint32_t k = 0; k < m->count; k++) {
-        const coefficient mirrored = { colour_at(m, k), m->weight[k] };
-        const uint32_t i = m->of[k];
-
-        set(c, own_of(s, i), mirrored, &s->geometry, i);
-    }
-}
-
-void reflectance_set(const shade_context *c, surfaces *s)
-{
-    reflectances m;
-
-    set_all(c, s, &m);
+            add_one(c, &m, s, i);
+    find_all(&m, c->scene->model);
     for (uint32_t k = 0; k < m.count; k++) {
-        appearance *own = &s->varying[m.of[k]];
+        const coefficient mirrored = { colour_at(&m, k), m.weight[k] };
+        const uint32_t i = m.of[k];
 
-        appearance_set_filter(own, c->scene->model, colour_scale(own->filter.by, own->finish->refraction));
+        set(c, s, i, mirrored, layered ? 1.0f : s->at[i].appearance->finish->refraction);
     }
 }
 
-void reflectance_set_layers(const shade_context *c, surfaces *s)
+static void set_any(const shade_context *c, surfaces *s, bool layered)
 {
-    reflectances m;
-
-    set_all(c, s, &m);
+    if (c->scene->plan->fading)
+        fade_all(c, s);
+    if (c->scene->angular)
+        set_all(c, s, layered);
 }
+
+void reflectance_set(const shade_context *c, surfaces *s) { set_any(c, s, false); }
+
+void reflectance_set_layers(const shade_context *c, surfaces *s) { set_any(c, s, true); }

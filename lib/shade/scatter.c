@@ -121,16 +121,16 @@ SIMD_NOINLINE static void reflect_power(scattering *to, const surface *s, uint32
 }
 
 /* The reflected ray of an ordinary surface. */
-static inline void reflect_some(scattering *to, const surface *s, uint32_t lane)
+static inline void reflect_some(scattering *to, const surface *s, uint32_t lane, const onward *on)
 {
     const appearance *a = s->appearance;
 
     if (!a->reflective)
         return;
     if (!a->powered)
-        reflect(to, s, lane, &a->reflection);
+        reflect(to, s, lane, &on->reflection);
     else
-        reflect_power(to, s, lane, &a->reflection, a->finish->reflection.exponent);
+        reflect_power(to, s, lane, &on->reflection, a->finish->reflection.exponent);
 }
 
 /* ---- transmitted rays ---- */
@@ -175,11 +175,11 @@ static inline path *spawn_across(scattering *to, const surface *s, const coeffic
 }
 
 /* Is the filter so dark that no ray goes through? */
-static inline bool is_dark(scattering *to, const appearance *a)
+static inline bool is_dark(scattering *to, const onward *on)
 {
-    if (a->dark)
+    if (on->dark)
         to->limits.cut_weight++;
-    return a->dark;
+    return on->dark;
 }
 
 /* Straight on, whatever is on both sides. NULL: the path is cut off. */
@@ -237,8 +237,11 @@ static inline void find_interfaces(const shade_context *c, const surfaces *on, i
     for (uint32_t i = 0; i < n; i++, s++) {
         if (!s->appearance->transmissive || s->appearance->clear)
             continue;
-        dielectric_cross(&c->dielectrics, s->from->inside, scene->model, shading_solid(scene, s->at->object),
-                         s->from->hue, &p->crossing[i]);
+        if (s->appearance->fresnel)
+            p->crossing[i] = on->crossing[i];
+        else
+            dielectric_cross(&c->dielectrics, s->from->inside, scene->model, shading_solid(scene, s->at->object),
+                             s->from->hue, &p->crossing[i]);
         p->to.before[i] = p->crossing[i].before;
         p->to.after[i] = p->crossing[i].after;
         any = true;
@@ -341,17 +344,17 @@ static coefficient shut_by(const scattering *to, const surface *s, uint32_t lane
 
 /* Both rays that can continue from an interface. A reflected one keeps its list of dielectrics. Where the filter is dark
  * no ray looks for a way through, so none is turned back: the surface mirrors as its finish says. */
-static inline void split(scattering *to, const interfaces *p, const surface *s, uint32_t lane)
+static inline void split(scattering *to, const interfaces *p, const surface *s, uint32_t lane, const onward *on)
 {
-    if (is_shut(to, p, s, lane) && !s->appearance->dark) {
-        const coefficient by = shut_by(to, s, lane, &s->appearance->filter);
+    if (is_shut(to, p, s, lane) && !on->dark) {
+        const coefficient by = shut_by(to, s, lane, &on->filter);
 
         reflect_inside(to, s, lane, &by);
         return;
     }
-    reflect_some(to, s, lane);
-    if (!is_dark(to, s->appearance))
-        cross(to, p, s, lane, &s->appearance->filter);
+    reflect_some(to, s, lane, on);
+    if (!is_dark(to, on))
+        cross(to, p, s, lane, &on->filter);
 }
 
 /* Where nothing transmits rays. */
@@ -361,7 +364,7 @@ static void mirror_lanes(scattering *to)
     const surface *s = to->on->at;
 
     for (uint32_t i = 0; i < n; i++, s++)
-        reflect_some(to, s, i);
+        reflect_some(to, s, i, surfaces_onward(to->on, i));
 }
 
 static void scatter_lanes(scattering *to, bool refraction)
@@ -374,13 +377,14 @@ static void scatter_lanes(scattering *to, bool refraction)
         find_interfaces(to->context, to->on, &p);
     for (uint32_t i = 0; i < n; i++, s++) {
         const bool transmissive = s->appearance->transmissive;
+        const onward *on = surfaces_onward(to->on, i);
 
         if (transmissive && refraction && !s->appearance->clear) {
-            split(to, &p, s, i);
+            split(to, &p, s, i, on);
         } else {
-            reflect_some(to, s, i);
-            if (transmissive && !is_dark(to, s->appearance))
-                transmit(to, s, i, &s->appearance->filter);
+            reflect_some(to, s, i, on);
+            if (transmissive && !is_dark(to, on))
+                transmit(to, s, i, &on->filter);
         }
     }
 }

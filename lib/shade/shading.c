@@ -219,7 +219,7 @@ pov_status shading_create(shading **out, const model *m, const world *w, pov_err
     s->unseen.transmissive = s->unseen.needs_point = s->unseen.clear = true;
     finish_init(&s->plain_finish);
     s->unseen.finish = &s->plain_finish;
-    s->unseen.filter = coefficient_of(colour_of(1.0f, 1.0f, 1.0f));
+    s->unseen.onward.filter = coefficient_of(colour_of(1.0f, 1.0f, 1.0f));
     if (!make_appearances(s, m) || !make_finishes(s, m) || !make_lights(s, m)) {
         shading_destroy(s);
         return err_memory(err);

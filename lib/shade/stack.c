@@ -19,16 +19,16 @@ static coefficient share_of(colour c, float share)
 }
 
 /* What a layer reflects is not filtered by those above it, but they count in its weight, as POV-Ray has it. */
-bool layer_weigh(layer *out, const model *m, const appearance *a, colour *left)
+bool layer_weigh(layer *out, const model *m, const appearance *a, const onward *on, colour *left)
 {
     if (out->first)
         *left = colour_of(1.0f, 1.0f, 1.0f);
     if (!out->first && appearance_is_dark(m, *left))
         return false;
     out->by = colour_scale(*left, out->share);
-    out->reflection = share_of(a->reflection.by, out->share);
+    out->reflection = share_of(on->reflection.by, out->share);
     out->reflection.weight *= fabsf(colour_luminance(*left));
-    *left = colour_mul(*left, a->filter.by);
+    *left = colour_mul(*left, on->filter.by);
     out->through = share_of(colour_scale(*left, a->finish->refraction), out->share);
     out->is_dark = appearance_is_dark(m, *left);
     return true;
@@ -81,7 +81,7 @@ stack *stack_create(const plan *p, const model *m, const material *of, bool weig
         one->of.last = k + 1 == t->count;
         one->of.share = 1.0f;
         one->of.is_weighed = weighed;
-        if (weighed && !layer_weigh(&one->of, m, &one->appearance, &left))
+        if (weighed && !layer_weigh(&one->of, m, &one->appearance, &one->appearance.onward, &left))
             layer_hide(&one->of, &one->appearance);
     }
     return out;

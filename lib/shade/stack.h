@@ -23,9 +23,9 @@ typedef struct stack {
     constant_layer layers[];
 } stack;
 
-/* Weigh the next layer of its stack. What it lets through, of what is left by those above it, is left for those below it,
+/* Weigh the next layer of its stack, from which this goes on. What it lets through, of what is left by those above it, is left for those below it,
  * and at the end for the transmitted ray. False: nothing is left for it, and it is to be hidden. */
-bool layer_weigh(layer *out, const model *m, const appearance *a, colour *left);
+bool layer_weigh(layer *out, const model *m, const appearance *a, const onward *on, colour *left);
 /* A layer that nothing is left for is as if it were not there. */
 void layer_hide(layer *out, appearance *own);
 

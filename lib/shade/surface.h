@@ -26,8 +26,18 @@ typedef struct surfaces {
     hit *found[BATCH_MAX];
     geometry geometry;           /* their appearances in the same order */
     appearance varying[BATCH_MAX];   /* of surfaces whose texture varies */
+    onward onward[BATCH_MAX];    /* of those of which it depends on the angle, and the interfaces that Fresnel asks for */
+    dielectric_crossing crossing[BATCH_MAX];
     path dimmed[BATCH_MAX];      /* where there is fog: the paths as they arrive */
 } surfaces;
+
+/* What goes on from surface i. */
+static inline const onward *surfaces_onward(const surfaces *s, uint32_t i)
+{
+    const appearance *a = s->at[i].appearance;
+
+    return a->angular ? &s->onward[i] : &a->onward;
+}
 
 /* Find the surfaces that the batch's rays hit and that need more than their emission. Emission, and the background
  * where rays hit nothing, is added to out. */

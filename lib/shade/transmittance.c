@@ -15,7 +15,7 @@ static colour filter_at(const shading *scene, const pov_ray *ray, const pov_cros
     hit h;
 
     if (!a->varies)
-        return a->filter.by;
+        return a->onward.filter.by;
     h.object = at->owner;
     h.crossing = *at;
     world_surface(scene->world, ray, &h);
@@ -27,7 +27,7 @@ static colour filter_of(const shading *scene, const pov_ray *ray, const hit *h)
 {
     const appearance *a = shading_constant(scene, h->object);
 
-    return a->varies ? paint_filter(scene, ray, h) : a->filter.by;
+    return a->varies ? paint_filter(scene, ray, h) : a->onward.filter.by;
 }
 
 /* What filters have left of light so far. Their positions along a light path do not matter to the product. It is rounded
@@ -60,7 +60,7 @@ static inline bool multiply(const shading *scene, const pov_crossing *at, uint32
     product p = product_of(*through);
 
     for (uint32_t i = 0; i < count; i++)
-        take(&p, shading_constant(scene, at[i].owner)->filter.by);
+        take(&p, shading_constant(scene, at[i].owner)->onward.filter.by);
     return is_left(p, through);
 }
 
