@@ -33,6 +33,7 @@ typedef struct appearance {
     bool fresnel;                /* ... by the ior on both sides */
     bool even;                   /* of a material: it is the same from everywhere on one side */
     bool needs_point;            /* one of these: more than emission is seen of it */
+    bool lasts;                  /* it is part of the scene: what stands at this address stays as it is */
     double highlight_cutoff;     /* at a specular cosine up to this the highlight adds nothing to a float of
                                   * APPEARANCE_VISIBLE or more */
     uint32_t power;              /* phong_size where that is a whole number from 1 to APPEARANCE_POWER_MAX, or 0 */

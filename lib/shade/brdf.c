@@ -177,12 +177,52 @@ static void set_rich(rich_finishes *r, uint32_t i, const appearance *a, uint32_t
         r->crand[i] = f->crand;
 }
 
+/* What all surfaces look like, where that is the same constant one that has no film; or NULL. */
+static const appearance *common(const surfaces *on)
+{
+    const appearance *a = on->count > 0 ? on->at[0].appearance : NULL;
+    bool same = a && a->lasts && !(a->kinds & FINISH_IRID);
+
+    for (uint32_t i = 1; same && i < on->count; i++)
+        same = on->at[i].appearance == a;
+    return same ? a : NULL;
+}
+
+static int64_t alike(int64_t some, int64_t all) { return some == all && some < 64 ? some : 0; }
+
+/* Batches of one appearance often follow one another: then lanes are as they were. */
+static void begin_common(finishes *f, const model *m, const surfaces *on, const appearance *a)
+{
+    const pov_vec3 nowhere = { 0.0, 0.0, 0.0 };
+
+    f->count = a->lit ? on->count : 0;
+    for (uint32_t k = 0; k < f->count; k++)
+        f->lit[k] = (uint8_t)k;
+    f->kinds = f->count > 0 ? a->kinds : 0;
+    f->alike = f->count > 0 ? alike(a->power, a->power) : 0;
+    if (f->held != a)
+        f->held_count = 0;
+    f->held = a;
+    for (uint32_t i = f->held_count; i < f->count; i++) {
+        set_finish(f, i, a);
+        if (a->kinds)
+            set_rich(&f->rich, i, a, a->kinds, m, nowhere);
+    }
+    f->held_count = f->count > f->held_count ? f->count : f->held_count;
+}
+
 void brdf_begin(finishes *f, const model *m, const surfaces *on)
 {
+    const appearance *same = common(on);
     uint32_t count = 0, kinds = 0;
     int64_t some = 0, all = -1;
 
     f->on = on;
+    if (same) {
+        begin_common(f, m, on, same);
+        return;
+    }
+    f->held = NULL;
     for (uint32_t i = 0; i < on->count; i++) {
         const appearance *a = on->at[i].appearance;
 
@@ -194,7 +234,7 @@ void brdf_begin(finishes *f, const model *m, const surfaces *on)
         some |= f->power[i];
         all &= f->power[i];
     }
-    f->alike = some == all && some < 64 ? some : 0;
+    f->alike = alike(some, all);
     f->count = count;
     f->kinds = kinds;
     for (uint32_t k = 0; kinds && k < count; k++)

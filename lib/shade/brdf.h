@@ -22,6 +22,8 @@ typedef struct SIMD_ALIGNED finishes {
     int64_t alike;               /* the power of all, where that is below 64; or 0 */
     const surfaces *on;
     uint32_t kinds;              /* FINISH_* that some surface has; rich is filled only if there is any */
+    const appearance *held;      /* the first lanes are all of this one; NULL: there is none such */
+    uint32_t held_count;
     rich_finishes rich;
     uint32_t count;
     uint8_t lit[BATCH_MAX];      /* lanes of lit surfaces */

@@ -21,6 +21,7 @@ static void make_appearance(shading *s, appearance *out, const model *m, const m
     appearance_set_material(out, of);
     out->varies = of->texture != NULL;
     out->needs_point |= out->varies;
+    out->lasts = true;
     out->even = !out->reflective && !out->transmissive && !of->inside && !(out->kinds & (FINISH_IRID | FINISH_CRAND)) &&
                 !(out->below_weight > 0.0f) && !(of->texture && texture_is_of_view(of->texture));
     s->angular |= !out->varies && out->angular;

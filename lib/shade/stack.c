@@ -6,7 +6,7 @@
 
 void layer_hide(layer *out, appearance *own)
 {
-    own->lit = own->gathers = own->reflective = own->transmissive = false;
+    own->lit = own->gathers = own->reflective = own->transmissive = own->lasts = false;
     own->emitted = out->by = colour_of(0.0f, 0.0f, 0.0f);
 }
 
@@ -77,6 +77,7 @@ stack *stack_create(const plan *p, const model *m, const material *of, bool weig
 
         make_appearance(&one->appearance, p, m, t->textures[t->count - 1 - k], k + 1 < t->count);
         appearance_set_material(&one->appearance, of);
+        one->appearance.lasts = true;
         one->of.first = k == 0;
         one->of.last = k + 1 == t->count;
         one->of.share = 1.0f;
