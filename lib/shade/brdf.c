@@ -3,6 +3,7 @@
 #include "base/simd.h"
 #include "shade/film.h"
 #include "shade/highlight.h"
+#include "shade/stack.h"
 
 static inline void set_cosines(light_sample *s, const geometry *g, const vec_lanes *normal, uint32_t i, pov_vec3 unit)
 {
@@ -127,7 +128,7 @@ void brdf_reflect(const finishes *f, const model *m, light_sample *s, const ligh
 
         if (!s->odd[i])
             continue;
-        c = colour_mul(incident_at(in, i), brdf(m, f->on->at[i].appearance, s->cosine[i], s->specular_cos[i]));
+        c = colour_mul(incident_at(in, i), brdf(m, stack_level(f->on->at[i].appearance, f->level), s->cosine[i], s->specular_cos[i]));
         s->red[i] = c.r;
         s->green[i] = c.g;
         s->blue[i] = c.b;
@@ -177,14 +178,14 @@ static void set_rich(rich_finishes *r, uint32_t i, const appearance *a, uint32_t
         r->crand[i] = f->crand;
 }
 
-/* What all surfaces look like, where that is the same constant one that has no film; or NULL. */
-static const appearance *common(const surfaces *on)
+/* What all surfaces look like, where that is the same constant appearance that has no film; or NULL. */
+static const appearance *common(const surfaces *on, uint32_t level)
 {
-    const appearance *a = on->count > 0 ? on->at[0].appearance : NULL;
+    const appearance *first = on->count > 0 ? on->at[0].appearance : NULL, *a = first ? stack_level(first, level) : NULL;
     bool same = a && a->lasts && !(a->kinds & FINISH_IRID);
 
     for (uint32_t i = 1; same && i < on->count; i++)
-        same = on->at[i].appearance == a;
+        same = on->at[i].appearance == first;
     return same ? a : NULL;
 }
 
@@ -211,22 +212,23 @@ static void begin_common(finishes *f, const model *m, const surfaces *on, const 
     f->held_count = f->count > f->held_count ? f->count : f->held_count;
 }
 
-void brdf_begin(finishes *f, const model *m, const surfaces *on)
+void brdf_begin(finishes *f, const model *m, const surfaces *on, uint32_t level)
 {
-    const appearance *same = common(on);
+    const appearance *same = common(on, level);
     uint32_t count = 0, kinds = 0;
     int64_t some = 0, all = -1;
 
     f->on = on;
+    f->level = level;
     if (same) {
         begin_common(f, m, on, same);
         return;
     }
     f->held = NULL;
     for (uint32_t i = 0; i < on->count; i++) {
-        const appearance *a = on->at[i].appearance;
+        const appearance *a = stack_level(on->at[i].appearance, level);
 
-        if (!a->lit)
+        if (!a || !a->lit)
             continue;
         f->lit[count++] = (uint8_t)i;
         set_finish(f, i, a);
@@ -238,5 +240,6 @@ void brdf_begin(finishes *f, const model *m, const surfaces *on)
     f->count = count;
     f->kinds = kinds;
     for (uint32_t k = 0; kinds && k < count; k++)
-        set_rich(&f->rich, f->lit[k], on->at[f->lit[k]].appearance, kinds, m, lanes_at(&on->geometry.to.point, f->lit[k]));
+        set_rich(&f->rich, f->lit[k], stack_level(on->at[f->lit[k]].appearance, level), kinds, m,
+                 lanes_at(&on->geometry.to.point, f->lit[k]));
 }

@@ -24,13 +24,14 @@ typedef struct SIMD_ALIGNED finishes {
     uint32_t kinds;              /* FINISH_* that some surface has; rich is filled only if there is any */
     const appearance *held;      /* the first lanes are all of this one; NULL: there is none such */
     uint32_t held_count;
+    uint32_t level;
     rich_finishes rich;
     uint32_t count;
     uint8_t lit[BATCH_MAX];      /* lanes of lit surfaces */
 } finishes;
 
-/* Collect the lit surfaces of a batch. */
-void brdf_begin(finishes *f, const model *m, const surfaces *on);
+/* Collect the lit surfaces of a batch; level: of their stacks, the layers of this number. */
+void brdf_begin(finishes *f, const model *m, const surfaces *on, uint32_t level);
 
 /* One sample of a light source for each surface, by lane. */
 typedef struct light_sample {

@@ -10,15 +10,15 @@
 
 /* Collect rays from lit surfaces that face the light and reflect any of it, without unpredictable branches. Returns the
  * number of surfaces that face the light. */
-static uint32_t aim(lighting *l, const light_sample *s, const vec_lanes *dir)
+static uint32_t aim(lighting *l, const finishes *f, const light_sample *s, const vec_lanes *dir)
 {
     pov_ray *const own = l->own;
-    const size_t lit_count = l->finishes.count;
+    const size_t lit_count = f->count;
     uint32_t front = 0;
     size_t count = 0;
 
     for (size_t k = 0; k < lit_count; k++) {
-        const size_t i = l->finishes.lit[k];
+        const size_t i = f->lit[k];
 
         own[i].dir = lanes_at(dir, (uint32_t)i);
         l->rays[count] = &own[i];
@@ -32,55 +32,83 @@ static uint32_t aim(lighting *l, const light_sample *s, const vec_lanes *dir)
 
 static inline void add_light(surface *s, colour given) { s->lit = colour_add(s->lit, given); }
 
-static void add_visible(lighting *l, const scene_light *from, const light_sample *s, const light_lanes *in)
+/* Does nothing stand in the way of this light? */
+static bool is_free(const lighting *l, const light *from)
+{
+    return !l->context->scene->plan->shadows || (from->flags & LIGHT_SHADOWLESS);
+}
+
+/* The rays to the light that are not occluded. */
+static uint64_t trace(lighting *l, const scene_light *from, const light_lanes *in, colour *through)
 {
     const light_origin origin = light_own_origin(from->light);
-    const bool is_free = !l->context->scene->plan->shadows || (from->light->flags & LIGHT_SHADOWLESS);
+
+    return from->grid ? area_trace(l, from, in, through)
+                      : shadow_trace(l, from->light, shadow_end(from, in, &origin, false), through);
+}
+
+static void add_visible(lighting *l, const scene_light *from, const light_sample *s, const light_lanes *in)
+{
     colour through[BATCH_MAX];
 
-    if (is_free && from->light->through_count > 0)
+    if (is_free(l, from->light) && from->light->through_count > 0)
         shadow_keep_crossing(l, from->light, in->tmax);
-    if (is_free)
+    if (is_free(l, from->light))
         for (uint32_t i = 0; i < l->count; i++)
             add_light(&l->on->at[l->of[i]], brdf_at(s, l->of[i]));
     else
-        for (uint64_t lit = from->grid ? area_trace(l, from, in, through)
-                                       : shadow_trace(l, from->light, shadow_end(from, in, &origin, false), through);
-             lit; lit &= lit - 1) {
+        for (uint64_t lit = trace(l, from, in, through); lit; lit &= lit - 1) {
             const uint32_t i = first_of64(lit);
 
             add_light(&l->on->at[l->of[i]], colour_mul(brdf_at(s, l->of[i]), through[i]));
         }
 }
 
+/* The light of one source where it meets the lit surfaces. True: the rays' origins have been named for it. */
+static bool meet(lighting *l, const scene_light *from, light_sample *s, light_lanes *in)
+{
+    const geometry *g = &l->on->geometry;
+    const light_origin origin = light_own_origin(from->light);
+    const light_points at = lighting_points(l);
+    const bool sided = geometry_is_bent(g) || brdf_has_back(&l->finishes);
+    bool named;
+
+    from->class->incident(from->light, &origin, &at, in);
+    named = brdf_cosines(s, g, &in->dir, lanes_whole(at.n)) || sided;
+    if (sided)
+        shadow_name_sides(l, l->finishes.lit, l->finishes.count, &in->dir);
+    else if (named)
+        shadow_name_origins(l, s->cosine);
+    return named;
+}
+
+/* Reflect it, and collect the rays to the light. */
+static void reflect(lighting *l, const scene_light *from, const finishes *f, light_sample *s, const light_lanes *in)
+{
+    shade_context *c = l->context;
+    const uint32_t n = lanes_whole(l->on->count);
+    uint32_t front;
+
+    brdf_reflect(f, c->scene->model, s, in, l->glossy && !(from->light->flags & LIGHT_SHADOWLESS), n);
+    if (from->grid && (from->light->flags & LIGHT_AREA_ILLUMINATION))
+        area_reflect(l, from, s, in, n);
+    front = aim(l, f, s, &in->dir);
+    c->counts.shadow_behind += f->count - front;
+    c->counts.shadow_idle += front - l->count;
+}
+
 /* Add the light of one source to the lit surfaces. */
 static void add_light_source(lighting *l, const scene_light *from)
 {
     shade_context *c = l->context;
-    const geometry *g = &l->on->geometry;
-    const light_origin origin = light_own_origin(from->light);
-    const light_points at = lighting_points(l);
-    const uint32_t n = lanes_whole(at.n);
-    const bool sided = geometry_is_bent(g) || brdf_has_back(&l->finishes);
-    uint32_t front;
     light_sample s;
     light_lanes in;
     bool named;
 
     if (l->photons)
         photons_aim(c, (size_t)(from - c->scene->lights));
-    from->class->incident(from->light, &origin, &at, &in);
-    named = brdf_cosines(&s, g, &in.dir, n) || sided;
-    if (sided)
-        shadow_name_sides(l, l->finishes.lit, l->finishes.count, &in.dir);
-    else if (named)
-        shadow_name_origins(l, s.cosine);
-    brdf_reflect(&l->finishes, c->scene->model, &s, &in, l->glossy && !(from->light->flags & LIGHT_SHADOWLESS), n);
-    if (from->grid && (from->light->flags & LIGHT_AREA_ILLUMINATION))
-        area_reflect(l, from, &s, &in, n);
-    front = aim(l, &s, &in.dir);
-    c->counts.shadow_behind += l->finishes.count - front;
-    c->counts.shadow_idle += front - l->count;
+    named = meet(l, from, &s, &in);
+    reflect(l, from, &l->finishes, &s, &in);
     if (l->count > 0)
         add_visible(l, from, &s, &in);
     if (named)
@@ -88,21 +116,27 @@ static void add_light_source(lighting *l, const scene_light *from)
     c->failed = c->failed || query_context_failed(c->context);
 }
 
-/* Collect the lit surfaces; rays from them start alike for all lights. */
-static void begin(lighting *l, shade_context *c, surfaces *on)
+/* Rays from the lit surfaces start alike for all lights. */
+static void begin_rays(lighting *l)
 {
-    l->context = c;
-    l->on = on;
-    l->glossy = on->count == 0 || on->at[0].from->gathers == 0;   /* paths of a batch have the same history */
-    brdf_begin(&l->finishes, c->scene->model, on);
     for (uint32_t k = 0; k < l->finishes.count; k++) {
         const uint32_t i = l->finishes.lit[k];
-        const surface *s = &on->at[i];
+        const surface *s = &l->on->at[i];
         pov_ray *ray = &l->own[i];
 
         world_origin_put(ray, s->at);
         world_origin_reflect(ray, s->at, 1.0);
     }
+}
+
+/* Collect the lit surfaces. */
+static void begin(lighting *l, shade_context *c, surfaces *on)
+{
+    l->context = c;
+    l->on = on;
+    l->glossy = on->count == 0 || on->at[0].from->gathers == 0;   /* paths of a batch have the same history */
+    brdf_begin(&l->finishes, c->scene->model, on, 0);
+    begin_rays(l);
 }
 
 /* Of the lit surfaces only those that this light shines on. */
@@ -256,5 +290,101 @@ void light_gather(lighting *l, shade_context *c, surfaces *on)
         if (c->failed || interrupt_is_due(&c->interrupt, l->finishes.count))
             return;
         add_light_source(l, &scene->lights[k]);
+    }
+}
+
+/* ---- stacks ---- */
+
+/* What is known of the rays to one light, by lane: those that were asked, those not occluded, and what they leave of it. */
+typedef struct known_rays { uint64_t asked, open; colour through[BATCH_MAX]; } known_rays;
+
+/* Ask those that were not. */
+static void ask(lighting *l, const scene_light *from, const light_lanes *in, known_rays *known)
+{
+    colour through[BATCH_MAX];
+    uint32_t n = 0;
+
+    for (uint32_t i = 0; i < l->count; i++) {
+        l->rays[n] = l->rays[i];
+        l->of[n] = l->of[i];
+        n += !(known->asked >> l->of[i] & 1);
+    }
+    l->count = n;
+    for (uint32_t i = 0; i < n; i++)
+        known->asked |= (uint64_t)1 << l->of[i];
+    for (uint64_t lit = n > 0 ? trace(l, from, in, through) : 0; lit; lit &= lit - 1) {
+        const uint32_t lane = l->of[first_of64(lit)];
+
+        known->through[lane] = through[first_of64(lit)];
+        known->open |= (uint64_t)1 << lane;
+    }
+}
+
+static void add_to_layers(lighting *l, const scene_light *from, lit_stacks *to)
+{
+    shade_context *c = l->context;
+    known_rays known = { 0, 0, { { 0.0f, 0.0f, 0.0f } } };
+    light_sample s;
+    light_lanes in;
+    const bool named = meet(l, from, &s, &in), free = is_free(l, from->light);
+
+    for (uint32_t k = 0; k < to->levels; k++) {
+        const finishes *f = &to->finishes[k];
+
+        reflect(l, from, f, &s, &in);
+        if (!free)
+            ask(l, from, &in, &known);
+        for (uint32_t i = 0; i < f->count; i++) {
+            const uint32_t lane = f->lit[i];
+            colour given = brdf_at(&s, lane);
+
+            if (!s.contributes[lane] || !(free || known.open >> lane & 1))
+                continue;
+            if (!free)
+                given = colour_mul(given, known.through[lane]);
+            to->lit[k][lane] = colour_add(to->lit[k][lane], given);
+        }
+    }
+    if (named)
+        shadow_name_origins(l, NULL);
+    c->failed = c->failed || query_context_failed(c->context);
+}
+
+/* The surfaces of which some layer is lit. */
+static void begin_stacks(lighting *l, shade_context *c, surfaces *on, lit_stacks *out)
+{
+    uint64_t lit = 0;
+
+    l->context = c;
+    l->on = on;
+    l->glossy = true;
+    l->finishes.kinds = l->finishes.count = 0;
+    out->levels = 1;
+    for (uint32_t i = 0; i < on->count; i++)
+        if (on->at[i].appearance->stack && on->at[i].appearance->stack->count > out->levels)
+            out->levels = on->at[i].appearance->stack->count;
+    for (uint32_t k = 0; k < out->levels; k++) {
+        finishes *f = &out->finishes[k];
+
+        brdf_begin(f, c->scene->model, on, k);
+        l->finishes.kinds |= f->kinds;
+        for (uint32_t i = 0; i < f->count; i++)
+            lit |= (uint64_t)1 << f->lit[i];
+        memset(out->lit[k], 0, on->count * sizeof out->lit[k][0]);
+    }
+    for (; lit; lit &= lit - 1)
+        l->finishes.lit[l->finishes.count++] = (uint8_t)first_of64(lit);
+    begin_rays(l);
+}
+
+void light_gather_stacks(lighting *l, shade_context *c, surfaces *on, lit_stacks *out)
+{
+    const shading *scene = c->scene;
+
+    begin_stacks(l, c, on, out);
+    for (size_t k = 0; l->finishes.count > 0 && k < scene->light_count; k++) {
+        if (c->failed || interrupt_is_due(&c->interrupt, l->finishes.count))
+            return;
+        add_to_layers(l, &scene->lights[k], out);
     }
 }

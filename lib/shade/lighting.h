@@ -3,6 +3,7 @@
 #define SHADE_LIGHTING_H
 
 #include "shade/brdf.h"
+#include "shade/stack.h"
 
 /* The lighting of a batch's surfaces, and its rays to one light. */
 typedef struct lighting {
@@ -19,6 +20,13 @@ typedef struct lighting {
                                   * BATCH_MAX rays that is unused until all lights are done */
 } lighting;
 
+/* Stacks of layers that are lit at one hit, and what each of their layers reflects, by lane. */
+typedef struct lit_stacks {
+    finishes finishes[STACK_LEVELS];
+    colour lit[STACK_LEVELS][BATCH_MAX];
+    uint32_t levels;
+} lit_stacks;
+
 /* The points of its surfaces. */
 static inline light_points lighting_points(const lighting *l)
 {
@@ -30,5 +38,7 @@ static inline light_points lighting_points(const lighting *l)
 
 /* Add diffuse light and highlights of all visible lights to `lit` of each surface. */
 void light_gather(lighting *l, shade_context *c, surfaces *on);
+/* The same, where some are flat stacks, to each of their layers. */
+void light_gather_stacks(lighting *l, shade_context *c, surfaces *on, lit_stacks *out);
 
 #endif

@@ -2,6 +2,7 @@
 
 #include "base/simd.h"
 #include "shade/merge.h"
+#include "shade/stack.h"
 #include "texture/normal.h"
 #include "world/detail.h"
 
@@ -161,21 +162,27 @@ bool paint_is_single(const painted *p, uint32_t of)
     return count == 0 || (count == 1 && p->terms[p->order[from]].share == 1.0f);
 }
 
-bool paint_evaluate(const shading *scene, surfaces *s, painted *p)
+paint_kind paint_evaluate(const shading *scene, surfaces *s, painted *p)
 {
     const uint32_t count = evaluate(scene, s, p);
-    bool single = true;
+    bool stacks = false, single = true;
 
-    for (uint32_t i = 0; i < s->count; i++)
-        single &= !s->at[i].appearance->stack;
+    for (uint32_t i = 0; i < s->count; i++) {
+        const stack *of = s->at[i].appearance->stack;
+
+        stacks |= of != NULL;
+        single &= !of || of->flat;
+    }
     sort(p, count, s->count);
     p->merged = 0;
     if (scene->most_terms <= 1)
-        return true;
+        return PAINT_SINGLE;
     merge_terms(scene, s, p);
     for (uint32_t i = 0; i < s->count; i++)
         single &= paint_is_single(p, i) || paint_is_merged(p, i);
-    return single;
+    if (!single)
+        return PAINT_TERMS;
+    return stacks ? PAINT_STACKS : PAINT_SINGLE;
 }
 
 /* ---- surfaces ---- */

@@ -18,9 +18,11 @@ static inline bool paint_is_merged(const painted *p, uint32_t of) { return p->me
 /* False: no memory. */
 bool paint_create(painted *p, const shading *scene);
 void paint_destroy(painted *p, const env *e);
-/* Evaluate the varying textures of surfaces with known points and normals. True: each is one term at most, which is all of
- * the surface, or as one. */
-bool paint_evaluate(const shading *scene, surfaces *s, painted *p);
+/* What textures are made of: each of one term at most, which is all of the surface, or as one; some of these of flat stacks; or
+ * of several terms. */
+typedef enum paint_kind { PAINT_SINGLE, PAINT_STACKS, PAINT_TERMS } paint_kind;
+/* Evaluate the varying textures of surfaces with known points and normals. */
+paint_kind paint_evaluate(const shading *scene, surfaces *s, painted *p);
 /* Is the surface's texture constant, or one term that is all of it? */
 bool paint_is_single(const painted *p, uint32_t of);
 /* The appearance of a term. */

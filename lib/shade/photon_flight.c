@@ -155,7 +155,7 @@ static void fly_batch(flight *f, const batch *b, colour *unused)
 
     surfaces_find(c, &t->surfaces, b, NULL);
     batch_begin(&t->queue, unused);
-    plain = surfaces_complete(c, &t->surfaces, &t->painted);
+    plain = surfaces_complete(c, &t->surfaces, &t->painted) != PAINT_TERMS;
     arrive(f, &t->surfaces);
     if (!plain) {
         fly_layers(f);

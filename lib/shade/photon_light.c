@@ -51,7 +51,7 @@ static void repeat(photon_lanes *l, const model *m, const surfaces *on, uint32_t
         lanes_put(&l->in.dir, i, lanes_at(from->shading, lane));
         to->cosine[i] = from->cosine[lane];
     }
-    brdf_begin(&l->finishes, m, &l->on);
+    brdf_begin(&l->finishes, m, &l->on, 0);
     l->in.uniform = false;
     l->in.tmax = 1.0;
     l->count = 0;

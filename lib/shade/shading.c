@@ -135,25 +135,41 @@ static bool is_merged(const shading *s, const stack *of)
     return merge_is_possible(s);
 }
 
-static bool add_stack(shading *s, const model *m, size_t which, bool weighed)
+static bool add_stack(shading *s, const model *m, size_t which, bool flat)
 {
-    stack *one = stack_create(s->plan, m, &m->materials.items[which], weighed);
+    stack *one = stack_create(s->plan, m, &m->materials.items[which]);
 
     if (!one || !vec_reserve(m->env, (void **)&s->stacks, &s->stack_capacity, s->stack_count, sizeof *s->stacks)) {
         env_free(m->env, one);
         return false;
     }
     s->stacks[s->stack_count++] = one;
-    s->appearances[which].stack = is_merged(s, one) ? NULL : one;
+    if (is_merged(s, one))
+        return true;
+    s->appearances[which].stack = one;
+    if (flat)
+        stack_flatten(one, &s->appearances[which]);
+    s->flat_stacks |= one->flat;
     return true;
+}
+
+/* Is all light of such a kind that it can reach the layers of one hit together? */
+static bool lights_stacks(const shading *s, const model *m)
+{
+    const bool plain = !s->plan->radiosity && !s->plan->subsurface && !s->photons && m->light_groups.count == 0;
+
+    for (size_t k = 0; plain && k < s->light_count; k++)
+        if (s->lights[k].light->through_count > 0 || (s->lights[k].light->flags & LIGHT_AREA_ILLUMINATION))
+            return false;
+    return plain;
 }
 
 static bool make_stacks(shading *s, const model *m)
 {
-    const bool weighed = !s->angular && !s->plan->fading;
+    const bool flat = lights_stacks(s, m);
 
     for (size_t i = 0; i < m->materials.count; i++)
-        if (stack_is_there(&m->materials.items[i]) && !add_stack(s, m, i, weighed))
+        if (stack_is_there(&m->materials.items[i]) && !add_stack(s, m, i, flat))
             return false;
     return true;
 }

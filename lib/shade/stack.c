@@ -63,11 +63,32 @@ static void make_appearance(appearance *out, const plan *p, const model *m, cons
     appearance_paint(out, p, m, &bare, &of->pigment->most, upper);
 }
 
-stack *stack_create(const plan *p, const model *m, const material *of, bool weighed)
+static bool is_weighed(const stack *of, const plan *p)
+{
+    bool angular = false;
+
+    for (uint32_t k = 0; k < of->count; k++)
+        angular |= of->layers[k].appearance.angular;
+    return !angular && !p->fading;
+}
+
+static void weigh(stack *of, const model *m)
+{
+    colour left = colour_of(1.0f, 1.0f, 1.0f);
+
+    for (uint32_t k = 0; k < of->count; k++) {
+        constant_layer *one = &of->layers[k];
+
+        one->of.is_weighed = true;
+        if (!layer_weigh(&one->of, m, &one->appearance, &one->appearance.onward, &left))
+            layer_hide(&one->of, &one->appearance);
+    }
+}
+
+stack *stack_create(const plan *p, const model *m, const material *of)
 {
     const texture *t = of->texture;
     stack *out = env_alloc(m->env, 1, sizeof *out + t->count * sizeof out->layers[0]);
-    colour left = colour_of(1.0f, 1.0f, 1.0f);
 
     if (!out)
         return NULL;
@@ -81,9 +102,47 @@ stack *stack_create(const plan *p, const model *m, const material *of, bool weig
         one->of.first = k == 0;
         one->of.last = k + 1 == t->count;
         one->of.share = 1.0f;
-        one->of.is_weighed = weighed;
-        if (weighed && !layer_weigh(&one->of, m, &one->appearance, &one->appearance.onward, &left))
-            layer_hide(&one->of, &one->appearance);
     }
+    out->weighed = is_weighed(out, p);
+    if (out->weighed)
+        weigh(out, m);
     return out;
+}
+
+/* ---- stacks lit at one hit ---- */
+
+/* What all layers mirror, as one ray. False: it is several, or raised to a power. */
+static bool find_mirror(const stack *of, bool *any, coefficient *out)
+{
+    *any = false;
+    for (uint32_t k = 0; k < of->count; k++) {
+        const constant_layer *one = &of->layers[k];
+
+        if (!one->appearance.reflective)
+            continue;
+        if (one->appearance.powered || (*any && one->of.reflection.weight != out->weight))
+            return false;
+        out->by = *any ? colour_add(out->by, one->of.reflection.by) : one->of.reflection.by;
+        out->weight = one->of.reflection.weight;
+        *any = true;
+    }
+    return true;
+}
+
+void stack_flatten(stack *of, appearance *whole)
+{
+    const constant_layer *top = &of->layers[0], *last = &of->layers[of->count - 1];
+    bool mirrors;
+    coefficient mirrored = { { 0.0f, 0.0f, 0.0f }, 0.0f };
+
+    of->flat = of->weighed && of->count <= STACK_LEVELS && find_mirror(of, &mirrors, &mirrored);
+    if (!of->flat)
+        return;
+    whole->reflective = mirrors;
+    whole->transmissive = top->appearance.transmissive && last->appearance.transmissive;
+    whole->angular = whole->fresnel = whole->powered = whole->clear = false;
+    whole->onward.reflection = mirrored;
+    whole->onward.filter = last->of.through;
+    whole->onward.dark = last->of.is_dark;
+    whole->finish = top->appearance.finish;
 }

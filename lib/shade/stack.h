@@ -17,11 +17,24 @@ typedef struct layer {
 
 typedef struct constant_layer { appearance appearance; layer of; } constant_layer;
 
+/* Layers of stacks that are lit at one hit. */
+enum { STACK_LEVELS = 4 };
+
 /* From the top. */
 typedef struct stack {
     uint32_t count;
+    bool weighed;                /* nothing that rays see of it depends on their angle */
+    bool flat;                   /* ... its layers are lit side by side, and it sends rays as a surface of one layer does */
     constant_layer layers[];
 } stack;
+
+/* The appearance of a surface's layer, from the top; NULL: there is none. */
+static inline const appearance *stack_level(const appearance *a, uint32_t level)
+{
+    if (!a->stack)
+        return level == 0 ? a : NULL;
+    return level < a->stack->count ? &a->stack->layers[level].appearance : NULL;
+}
 
 /* Weigh the next layer of its stack, from which this goes on. What it lets through, of what is left by those above it, is left for those below it,
  * and at the end for the transmitted ray. False: nothing is left for it, and it is to be hidden. */
@@ -31,7 +44,9 @@ void layer_hide(layer *out, appearance *own);
 
 /* Is the texture of this material a stack of constant layers, of surfaces on both sides? */
 bool stack_is_there(const material *of);
-/* Of such a material; weighed: nothing that rays see of it depends on their angle. NULL: no memory. */
-stack *stack_create(const plan *p, const model *m, const material *of, bool weighed);
+/* Of such a material. NULL: no memory. */
+stack *stack_create(const plan *p, const model *m, const material *of);
+/* Make it flat, where that can be: then a surface of this appearance sends its rays. */
+void stack_flatten(stack *of, appearance *whole);
 
 #endif

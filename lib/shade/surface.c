@@ -274,9 +274,10 @@ static void set_shading_normals(const shading *scene, surfaces *s)
         g->shading = g->raw = &g->smooth;
 }
 
-bool surfaces_complete(shade_context *c, surfaces *s, painted *p)
+int surfaces_complete(shade_context *c, surfaces *s, painted *p)
 {
     const shading *scene = c->scene;
+    paint_kind kind = PAINT_SINGLE;
     const object_space_rays *own = scene->plan->scattering ? NULL : query_context_own(c->context);   /* light was asked for since */
 
     if (c->coincident_sets.count > 0)
@@ -286,12 +287,14 @@ bool surfaces_complete(shade_context *c, surfaces *s, painted *p)
     s->geometry.shading = s->geometry.raw = &s->geometry.to.normal;
     if (scene->plan->smooth)
         set_shading_normals(scene, s);
-    if (scene->plan->textures && !paint_evaluate(scene, s, p))
-        return false;
+    if (scene->plan->textures)
+        kind = paint_evaluate(scene, s, p);
+    if (kind == PAINT_TERMS)
+        return kind;
     if (scene->plan->textures)
         paint_surfaces(scene, s, p);
     geometry_turn(&s->geometry, s->count);
     if (scene->angular || scene->plan->fading)
         reflectance_set(c, s);
-    return true;
+    return kind;
 }

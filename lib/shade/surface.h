@@ -44,8 +44,8 @@ static inline const onward *surfaces_onward(const surfaces *s, uint32_t i)
 void surfaces_find(shade_context *c, surfaces *s, const batch *b, colour *out);
 struct painted;
 
-/* Complete the points and normals, and the directions and appearances. False: some texture is made of several terms; then
- * directions and appearances are left to layers_take(). */
-bool surfaces_complete(shade_context *c, surfaces *s, struct painted *p);
+/* Complete the points and normals, and the directions and appearances; but where some texture is made of several terms,
+ * directions and appearances are left to layers_take(). What their textures are made of: a paint_kind. */
+int surfaces_complete(shade_context *c, surfaces *s, struct painted *p);
 
 #endif

@@ -36,6 +36,11 @@ static bool make_buffers(pov_tracer *t)
         geometry_begin(&t->photons->lanes.on.geometry);
         t->lighting.photons = t->photons;
     }
+    if (scene->flat_stacks) {
+        t->stacks = env_alloc_aligned(e, sizeof *t->stacks, SIMD_LINE);
+        if (!t->stacks)
+            return false;
+    }
     if (scene->most_terms <= 1)
         return true;
     t->layers = env_alloc_aligned(e, sizeof *t->layers, SIMD_LINE);
@@ -104,6 +109,7 @@ void tracer_destroy(pov_tracer *t)
     paint_destroy(&t->painted, e);
     env_free_aligned(e, t->layers);
     env_free_aligned(e, t->shadow_rays);
+    env_free_aligned(e, t->stacks);
     env_free_aligned(e, t->photons);
     env_free(e, t->context.dielectrics.items);
     env_free(e, t->context.coincident_sets.items);
@@ -159,19 +165,49 @@ static void shade_surfaces(pov_tracer *t, colour *out)
         gather_begin(c, s, &t->queue);
 }
 
+/* What the layers of a flat stack give. */
+static void add_stack(const surface *s, const lit_stacks *from, uint32_t lane, colour *out)
+{
+    const stack *of = s->appearance->stack;
+
+    for (uint32_t k = 0; k < of->count; k++) {
+        const constant_layer *one = &of->layers[k];
+
+        accumulate(s->from, colour_mul(one->of.by, colour_add(one->appearance.emitted, from->lit[k][lane])), out);
+    }
+}
+
+/* What surfaces of one term each give, of which some are flat stacks. */
+static void shade_stacks(pov_tracer *t, colour *out)
+{
+    surfaces *s = &t->surfaces;
+
+    t->lighting.own = t->queue.mirrored.items[0]->own;
+    light_gather_stacks(&t->lighting, &t->context, s, t->stacks);
+    for (uint32_t i = 0; i < s->count; i++) {
+        if (s->at[i].appearance->stack)
+            add_stack(&s->at[i], t->stacks, i, out);
+        else
+            accumulate(s->at[i].from, colour_add(s->at[i].appearance->emitted, t->stacks->lit[0][i]), out);
+    }
+    scatter(&t->context, s, &t->queue);
+}
+
 /* Trace the paths of one batch to their hits, and spawn the paths that continue. */
 static void shade_batch(pov_tracer *t, const batch *b, colour *out)
 {
     shade_context *c = &t->context;
-    bool single;
+    int kind;
 
     surfaces_find(c, &t->surfaces, b, out);
     batch_begin(&t->queue, out);
-    single = surfaces_complete(c, &t->surfaces, &t->painted);
+    kind = surfaces_complete(c, &t->surfaces, &t->painted);
     if (b->reuse)
         reuse_note(c, &t->surfaces, b->reuse);
-    if (single)
+    if (kind == PAINT_SINGLE)
         shade_surfaces(t, out);
+    else if (kind == PAINT_STACKS)
+        shade_stacks(t, out);
     else
         shade_layers(t, out);
     c->failed = c->failed || query_context_failed(c->context);

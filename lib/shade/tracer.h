@@ -22,6 +22,7 @@ struct pov_tracer {
     painted painted;             /* their textures */
     batch *shadow_rays;          /* memory for the rays to lights from layers */
     layers *layers;              /* chunks of their terms; NULL: no texture has several */
+    lit_stacks *stacks;          /* what their layers reflect where they are flat stacks; NULL: there are none */
     lighting lighting;
     photon_work *photons;        /* NULL: there are none */
 };
