@@ -68,7 +68,7 @@ static void add(const shade_context *c, layers *l, const surfaces *s, const pain
 static void add_constant(layers *l, const surfaces *s, const stack *of)
 {
     const uint32_t i = begin_layer(l, s), lane = l->surface;
-    const constant_layer *one = &of->layers[l->term];
+    const stack_layer *one = &of->layers[l->term];
 
     l->of[i] = one->of;
     l->of[i].of = (uint8_t)lane;

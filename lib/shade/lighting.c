@@ -64,8 +64,8 @@ static void add_visible(lighting *l, const scene_light *from, const light_sample
         }
 }
 
-/* The light of one source where it meets the lit surfaces. True: the rays' origins have been named for it. */
-static bool meet(lighting *l, const scene_light *from, light_sample *s, light_lanes *in)
+/* The light of one source where it arrives at the lit surfaces. True: the rays' origins have been named for it. */
+static bool arrive(lighting *l, const scene_light *from, light_sample *s, light_lanes *in)
 {
     const geometry *g = &l->on->geometry;
     const light_origin origin = light_own_origin(from->light);
@@ -107,7 +107,7 @@ static void add_light_source(lighting *l, const scene_light *from)
 
     if (l->photons)
         photons_aim(c, (size_t)(from - c->scene->lights));
-    named = meet(l, from, &s, &in);
+    named = arrive(l, from, &s, &in);
     reflect(l, from, &l->finishes, &s, &in);
     if (l->count > 0)
         add_visible(l, from, &s, &in);
@@ -326,7 +326,7 @@ static void add_to_layers(lighting *l, const scene_light *from, lit_stacks *to)
     known_rays known = { 0, 0, { { 0.0f, 0.0f, 0.0f } } };
     light_sample s;
     light_lanes in;
-    const bool named = meet(l, from, &s, &in), free = is_free(l, from->light);
+    const bool named = arrive(l, from, &s, &in), free = is_free(l, from->light);
 
     for (uint32_t k = 0; k < to->levels; k++) {
         const finishes *f = &to->finishes[k];

@@ -6,6 +6,18 @@
 #include "texture/normal.h"
 #include "world/detail.h"
 
+/* The layers of all stacks are behind them. */
+static bool make_stacks(painted *p, const env *e)
+{
+    stack_layer *layers;
+
+    p->stacks = env_alloc(e, BATCH_MAX, sizeof *p->stacks + STACK_LEVELS * sizeof *layers);
+    layers = p->stacks ? (stack_layer *)(p->stacks + BATCH_MAX) : NULL;
+    for (uint32_t i = 0; p->stacks && i < BATCH_MAX; i++)
+        p->stacks[i].layers = layers + STACK_LEVELS * i;
+    return p->stacks != NULL;
+}
+
 bool paint_create(painted *p, const shading *scene)
 {
     const size_t capacity = (size_t)scene->most_terms * BATCH_MAX;
@@ -14,13 +26,14 @@ bool paint_create(painted *p, const shading *scene)
         return true;
     p->terms = env_alloc(scene->model->env, capacity, sizeof *p->terms);
     p->order = env_alloc(scene->model->env, capacity, sizeof *p->order);
-    return p->terms && p->order;
+    return p->terms && p->order && (!scene->flat_stacks || make_stacks(p, scene->model->env));
 }
 
 void paint_destroy(painted *p, const env *e)
 {
     env_free(e, p->terms);
     env_free(e, p->order);
+    env_free(e, p->stacks);
 }
 
 /* ---- points ---- */
@@ -162,6 +175,64 @@ bool paint_is_single(const painted *p, uint32_t of)
     return count == 0 || (count == 1 && p->terms[p->order[from]].share == 1.0f);
 }
 
+/* ---- stacks ---- */
+
+/* Is it one stack of few layers that have the surface's normal? */
+static bool may_be_flat(const painted *p, uint32_t of)
+{
+    const uint32_t from = p->first[of], end = p->first[of + 1];
+
+    for (uint32_t k = from; k < end; k++) {
+        const texture_term *t = &p->terms[p->order[k]];
+
+        if (t->bent || t->share != 1.0f || (k > from && t->first))
+            return false;
+    }
+    return end - from <= STACK_LEVELS;
+}
+
+/* Make the terms of a surface a flat stack, where they are one. */
+static bool make_flat(const shading *scene, surfaces *s, const painted *p, uint32_t of)
+{
+    const uint32_t from = p->first[of], count = p->first[of + 1] - from;
+    stack *out = &p->stacks[of];
+    appearance *whole = &s->varying[of];
+
+    if (!may_be_flat(p, of))
+        return false;
+    out->count = count;
+    for (uint32_t k = 0; k < count; k++) {
+        stack_layer *one = &out->layers[k];
+
+        paint_appearance(scene, &s->at[of], &p->terms[p->order[from + k]], k + 1 < count, &one->appearance);
+        one->of.first = k == 0;
+        one->of.last = k + 1 == count;
+        one->of.share = 1.0f;
+    }
+    stack_weigh(out, scene->plan, scene->model);
+    *whole = out->layers[0].appearance;
+    stack_make_flat(out, whole);
+    whole->stack = out;
+    if (out->flat)
+        s->at[of].appearance = whole;
+    return out->flat;
+}
+
+/* Terms that are not one: flat stacks, or as one if they are matt. False: some are neither. */
+static bool join(const shading *scene, surfaces *s, painted *p, bool *stacks)
+{
+    bool joined = true;
+
+    for (uint32_t i = 0; joined && i < s->count; i++) {
+        if (paint_is_single(p, i) || paint_is_merged(p, i))
+            continue;
+        joined = scene->flat_stacks && make_flat(scene, s, p, i);
+        p->merged |= (uint64_t)joined << i;
+        *stacks |= joined;
+    }
+    return joined;
+}
+
 paint_kind paint_evaluate(const shading *scene, surfaces *s, painted *p)
 {
     const uint32_t count = evaluate(scene, s, p);
@@ -178,9 +249,7 @@ paint_kind paint_evaluate(const shading *scene, surfaces *s, painted *p)
     if (scene->most_terms <= 1)
         return PAINT_SINGLE;
     merge_terms(scene, s, p);
-    for (uint32_t i = 0; i < s->count; i++)
-        single &= paint_is_single(p, i) || paint_is_merged(p, i);
-    if (!single)
+    if (!single || !join(scene, s, p, &stacks))
         return PAINT_TERMS;
     return stacks ? PAINT_STACKS : PAINT_SINGLE;
 }

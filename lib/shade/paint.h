@@ -10,7 +10,8 @@ typedef struct painted {
     texture_term *terms;         /* room for shading->most_terms of each surface */
     uint32_t *order;             /* their numbers, by surface */
     uint32_t first[BATCH_MAX + 1];   /* of a surface in `order`; those with constant textures have none */
-    uint64_t merged;             /* by surface: its terms are as one, which is its appearance */
+    uint64_t merged;             /* by surface: its terms are as one, which is its appearance; or a flat stack */
+    struct stack *stacks;        /* of these, by surface: room for each */
 } painted;
 
 static inline bool paint_is_merged(const painted *p, uint32_t of) { return p->merged >> of & 1; }

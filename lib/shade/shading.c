@@ -135,7 +135,7 @@ static bool is_merged(const shading *s, const stack *of)
     return merge_is_possible(s);
 }
 
-static bool add_stack(shading *s, const model *m, size_t which, bool flat)
+static bool add_stack(shading *s, const model *m, size_t which)
 {
     stack *one = stack_create(s->plan, m, &m->materials.items[which]);
 
@@ -147,9 +147,8 @@ static bool add_stack(shading *s, const model *m, size_t which, bool flat)
     if (is_merged(s, one))
         return true;
     s->appearances[which].stack = one;
-    if (flat)
-        stack_flatten(one, &s->appearances[which]);
-    s->flat_stacks |= one->flat;
+    if (s->flat_stacks)
+        stack_make_flat(one, &s->appearances[which]);
     return true;
 }
 
@@ -166,10 +165,9 @@ static bool lights_stacks(const shading *s, const model *m)
 
 static bool make_stacks(shading *s, const model *m)
 {
-    const bool flat = lights_stacks(s, m);
-
+    s->flat_stacks = s->most_terms > 1 && lights_stacks(s, m);
     for (size_t i = 0; i < m->materials.count; i++)
-        if (stack_is_there(&m->materials.items[i]) && !add_stack(s, m, i, flat))
+        if (stack_is_there(&m->materials.items[i]) && !add_stack(s, m, i))
             return false;
     return true;
 }

@@ -25,7 +25,7 @@ typedef struct shading {
     bool even;                   /* all materials are: see appearance.h */
     bool views, uvs;             /* some texture asks where it is seen from; for the surface's uv coordinates */
     struct stack **stacks;
-    bool flat_stacks;            /* some are */
+    bool flat_stacks;            /* of these and of those at points there may be flat ones */
     size_t stack_count, stack_capacity;
     finish plain_finish;         /* the default */
     appearance unseen;           /* of objects that a ray does not see */

@@ -63,21 +63,15 @@ static void make_appearance(appearance *out, const plan *p, const model *m, cons
     appearance_paint(out, p, m, &bare, &of->pigment->most, upper);
 }
 
-static bool is_weighed(const stack *of, const plan *p)
-{
-    bool angular = false;
-
-    for (uint32_t k = 0; k < of->count; k++)
-        angular |= of->layers[k].appearance.angular;
-    return !angular && !p->fading;
-}
-
-static void weigh(stack *of, const model *m)
+void stack_weigh(stack *of, const plan *p, const model *m)
 {
     colour left = colour_of(1.0f, 1.0f, 1.0f);
 
-    for (uint32_t k = 0; k < of->count; k++) {
-        constant_layer *one = &of->layers[k];
+    of->weighed = !p->fading;
+    for (uint32_t k = 0; k < of->count; k++)
+        of->weighed &= !of->layers[k].appearance.angular;
+    for (uint32_t k = 0; of->weighed && k < of->count; k++) {
+        stack_layer *one = &of->layers[k];
 
         one->of.is_weighed = true;
         if (!layer_weigh(&one->of, m, &one->appearance, &one->appearance.onward, &left))
@@ -93,8 +87,9 @@ stack *stack_create(const plan *p, const model *m, const material *of)
     if (!out)
         return NULL;
     out->count = t->count;
+    out->layers = (stack_layer *)(out + 1);
     for (uint32_t k = 0; k < t->count; k++) {
-        constant_layer *one = &out->layers[k];
+        stack_layer *one = &out->layers[k];
 
         make_appearance(&one->appearance, p, m, t->textures[t->count - 1 - k], k + 1 < t->count);
         appearance_set_material(&one->appearance, of);
@@ -103,9 +98,7 @@ stack *stack_create(const plan *p, const model *m, const material *of)
         one->of.last = k + 1 == t->count;
         one->of.share = 1.0f;
     }
-    out->weighed = is_weighed(out, p);
-    if (out->weighed)
-        weigh(out, m);
+    stack_weigh(out, p, m);
     return out;
 }
 
@@ -116,7 +109,7 @@ static bool find_mirror(const stack *of, bool *any, coefficient *out)
 {
     *any = false;
     for (uint32_t k = 0; k < of->count; k++) {
-        const constant_layer *one = &of->layers[k];
+        const stack_layer *one = &of->layers[k];
 
         if (!one->appearance.reflective)
             continue;
@@ -129,16 +122,16 @@ static bool find_mirror(const stack *of, bool *any, coefficient *out)
     return true;
 }
 
-void stack_flatten(stack *of, appearance *whole)
+void stack_make_flat(stack *of, appearance *whole)
 {
-    const constant_layer *top = &of->layers[0], *last = &of->layers[of->count - 1];
-    bool mirrors;
+    const stack_layer *top = &of->layers[0], *last = &of->layers[of->count - 1];
+    bool reflects;
     coefficient mirrored = { { 0.0f, 0.0f, 0.0f }, 0.0f };
 
-    of->flat = of->weighed && of->count <= STACK_LEVELS && find_mirror(of, &mirrors, &mirrored);
+    of->flat = of->weighed && of->count <= STACK_LEVELS && find_mirror(of, &reflects, &mirrored);
     if (!of->flat)
         return;
-    whole->reflective = mirrors;
+    whole->reflective = reflects;
     whole->transmissive = top->appearance.transmissive && last->appearance.transmissive;
     whole->angular = whole->fresnel = whole->powered = whole->clear = false;
     whole->onward.reflection = mirrored;

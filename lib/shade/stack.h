@@ -15,7 +15,7 @@ typedef struct layer {
     coefficient reflection, through;   /* of its reflected ray, and the last one's transmitted ray */
 } layer;
 
-typedef struct constant_layer { appearance appearance; layer of; } constant_layer;
+typedef struct stack_layer { appearance appearance; layer of; } stack_layer;
 
 /* Layers of stacks that are lit at one hit. */
 enum { STACK_LEVELS = 4 };
@@ -25,7 +25,7 @@ typedef struct stack {
     uint32_t count;
     bool weighed;                /* nothing that rays see of it depends on their angle */
     bool flat;                   /* ... its layers are lit side by side, and it sends rays as a surface of one layer does */
-    constant_layer layers[];
+    stack_layer *layers;
 } stack;
 
 /* The appearance of a surface's layer, from the top; NULL: there is none. */
@@ -46,7 +46,9 @@ void layer_hide(layer *out, appearance *own);
 bool stack_is_there(const material *of);
 /* Of such a material. NULL: no memory. */
 stack *stack_create(const plan *p, const model *m, const material *of);
+/* Weigh it, if nothing that rays see of it depends on their angle. */
+void stack_weigh(stack *of, const plan *p, const model *m);
 /* Make it flat, where that can be: then a surface of this appearance sends its rays. */
-void stack_flatten(stack *of, appearance *whole);
+void stack_make_flat(stack *of, appearance *whole);
 
 #endif

@@ -171,7 +171,7 @@ static void add_stack(const surface *s, const lit_stacks *from, uint32_t lane, c
     const stack *of = s->appearance->stack;
 
     for (uint32_t k = 0; k < of->count; k++) {
-        const constant_layer *one = &of->layers[k];
+        const stack_layer *one = &of->layers[k];
 
         accumulate(s->from, colour_mul(one->of.by, colour_add(one->appearance.emitted, from->lit[k][lane])), out);
     }

@@ -57,6 +57,48 @@ static void what_depends_on_the_angle_is_weighed_at_each_hit(void **state)
     layers_are_alike(angular, "interior { ior 1.4 fade_distance .5 fade_power 1 }");
 }
 
+/* With a light of area_illumination, though it is dark, each layer is lit as a surface of its own. */
+static void layers_are_lit_alike(const char *layers[3], const char *more)
+{
+    char also[1024];
+    float *together[2], *apart[2];
+
+    snprintf(also, sizeof also, "%s } light_source { 5*y rgb 0 area_light x, z, 2, 2 area_illumination ", more);
+    together[0] = draw(constant, layers, more);
+    together[1] = draw(varying, layers, more);
+    apart[0] = draw(constant, layers, also);
+    apart[1] = draw(varying, layers, also);
+    for (int i = 0; i < 2; i++) {
+        assert_memory_equal(together[i], apart[i], (size_t)WIDTH * HEIGHT * 4 * sizeof *apart[i]);
+        free(together[i]);
+        free(apart[i]);
+    }
+}
+
+static void layers_of_one_hit_are_lit_together(void **state)
+{
+    static const char *const more[] = {
+        "", "double_illuminate", "interior { ior 1.4 dispersion 1.1 }", "interior { ior 1.4 } scale <1, .9, -1>",
+        "} sphere { <1, 0, -1>, .3 texture { pigment { rgbt <1, .5, .2, .3> } } texture { pigment { rgbt .8 } finish { specular 1 } }",
+        "} light_source { <2, 9, 1> rgb .3 area_light x, z, 4, 4 } light_source { <9, 1, 1> rgb .3 shadowless",
+        "} box { <-1.5, -1, -1>, <-.9, .2, -.5> pigment { bozo } normal { bumps } } sphere { <1, -.5, -1>, .4 pigment { rgb .5 }",
+        "} smooth_triangle { <-1, 0, -1.5>, <-1, 0, -1>, <1, 0, -1.5>, <1, 0, -1>, <0, 1, -1.5>, <0, 1, -1>\n"
+        "texture { pigment { rgb .5 } finish { phong .5 } } texture { pigment { rgbt <1, 0, 0, .5> } finish { reflection .3 } }",
+    };
+    const char *glazed[3] = { "finish { specular .4 diffuse .6 }", "finish { phong .7 reflection .1 brilliance 2 }", "" };
+    const char *mirrors[3] = { "finish { reflection .2 }", "finish { reflection .1 metallic }", "finish { reflection .1 diffuse .3 }" };
+    const char *unlit[3] = { "finish { phong .5 }", "finish { diffuse 0 ambient .3 }", "finish { crand .1 }" };
+    const char *powered[3] = { "finish { phong 1 metallic }", "finish { reflection .2 reflection_exponent 2 }", "finish { crand .1 }" };
+    (void)state;
+
+    for (size_t i = 0; i < sizeof more / sizeof more[0]; i++) {
+        layers_are_lit_alike(glazed, more[i]);
+        layers_are_lit_alike(mirrors, more[i]);
+        layers_are_lit_alike(unlit, more[i]);
+        layers_are_lit_alike(powered, more[i]);
+    }
+}
+
 /* Nothing is left for what lies below an opaque layer, nor for the ray through it. */
 static void layers_below_an_opaque_one_are_hidden(void **state)
 {
@@ -194,6 +236,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(constant_layers_give_what_patterns_of_one_colour_give),
         cmocka_unit_test(what_depends_on_the_angle_is_weighed_at_each_hit),
+        cmocka_unit_test(layers_of_one_hit_are_lit_together),
         cmocka_unit_test(layers_below_an_opaque_one_are_hidden),
         cmocka_unit_test(total_reflection_weighs_as_much_as_what_would_go_through),
         cmocka_unit_test(the_upper_normal_bends_what_goes_through),
