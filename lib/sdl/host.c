@@ -149,7 +149,7 @@ static const void *file(pov_reader *in, const char *name, size_t *bytes)
     if (!s)
         return NULL;
     if (!include_find_with(in, s, endings, path))
-        report_fail(in, &in->value, POV_E_IO, "there is no file \"%.200s\" in the folders that scenes are read from", name);
+        include_not_found(in, s, endings);
     else if (limit_read_file(in, path, &text, bytes, &err) < 0)
         report_fail(in, &in->value, err.status, "%.200s: %.200s", path, err.message);
     else

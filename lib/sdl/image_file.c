@@ -48,7 +48,7 @@ static bool find(pov_reader *in, const string *name, const char *format, char pa
             endings[2] = formats[i].other;
     if (include_find_with(in, name, endings, path))
         return true;
-    report_fail(in, &in->value, POV_E_IO, "there is no file \"%.200s\" in the folders that scenes are read from", name->text);
+    include_not_found(in, name, endings);
     return false;
 }
 

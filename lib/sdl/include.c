@@ -147,11 +147,11 @@ static bool is_packaged(const folder *f, const char *name)
     return found && !strchr(name, '/');
 }
 
+static const char *const included[] = { "", ".inc", ".INC", NULL };
+
 bool include_find(pov_reader *in, const string *name, char path[INCLUDE_PATH_MAX])
 {
-    static const char *const endings[] = { "", ".inc", ".INC", NULL };
-
-    return include_find_with(in, name, endings, path);
+    return include_find_with(in, name, included, path);
 }
 
 bool include_find_with(pov_reader *in, const string *name, const char *const *endings, char path[INCLUDE_PATH_MAX])
@@ -167,6 +167,33 @@ bool include_find_with(pov_reader *in, const string *name, const char *const *en
                 (is_packaged(&f, name->text) || is_open_to_scenes(in, path)))
                 return true;
     return false;
+}
+
+static bool has_installed(void)
+{
+    int i;
+
+    for (i = 0; i < INSTALLED; i++)
+        if (file_exists(installed[i]))
+            return true;
+    return false;
+}
+
+void include_not_found(pov_reader *in, const string *name, const char *const *endings)
+{
+    char path[INCLUDE_PATH_MAX];
+    bool is_outside = false;
+    folder f;
+
+    for (int e = 0; endings[e]; e++)
+        for (int i = 0; folder_at(in, i, &f) && !is_outside; i++)
+            is_outside = join(&f, name->text, endings[e], path) && file_exists(path);
+    if (is_outside)
+        report_fail(in, &in->value, POV_E_IO, "\"%.200s\" is outside of the folders that scenes are read from; "
+                    "-L FOLDER, or +LFOLDER as povray, adds one", name->text);
+    else
+        report_fail(in, &in->value, POV_E_IO, "there is no file \"%.200s\" in the folders that scenes are read from%s",
+                    name->text, has_installed() ? "" : "; POV-Ray's own come with the package povray-includes");
 }
 
 bool include_exists(pov_reader *in, const string *name)
@@ -198,16 +225,6 @@ static source *add_text(pov_reader *in, char *text, size_t length, const char *n
     }
     s->owned = owned;
     return s;
-}
-
-static bool has_installed(void)
-{
-    int i;
-
-    for (i = 0; i < INSTALLED; i++)
-        if (file_exists(installed[i]))
-            return true;
-    return false;
 }
 
 /* Files that are included again and equal what they were are read as tokens, but for very large ones. */
@@ -289,8 +306,7 @@ static char *read_text(pov_reader *in, const string *name, char path[INCLUDE_PAT
     if (text || in->failed) {
         join(&(folder){ "", 0 }, name->text, "", path);
     } else if (!include_find(in, name, path)) {
-        report_fail(in, &in->value, POV_E_IO, "there is no file \"%s\" in the folders that scenes are read from%s",
-                    name->text, has_installed() ? "" : "; POV-Ray's own come with the package povray-includes");
+        include_not_found(in, name, included);
     } else if (limit_read_file(in, path, &text, length, &error) < 0) {
         report_pass_on(in, &in->value, &error);
         text = NULL;

@@ -12,6 +12,8 @@ void include_run(pov_reader *in, const place *at);
 bool include_find(pov_reader *in, const string *name, char path[INCLUDE_PATH_MAX]);
 /* The same for a name that may lack one of these endings; the list ends with NULL. */
 bool include_find_with(pov_reader *in, const string *name, const char *const *endings, char path[INCLUDE_PATH_MAX]);
+/* Fails with a message for what include_find_with did not find: whether it is nowhere, or outside of the folders. */
+void include_not_found(pov_reader *in, const string *name, const char *const *endings);
 bool include_exists(pov_reader *in, const string *name);
 
 #endif

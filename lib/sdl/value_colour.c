@@ -143,17 +143,19 @@ static void check_range(pov_reader *in, const place *at, const double out[CHANNE
 
 void value_colour_components(pov_reader *in, bool bare, double out[CHANNELS])
 {
-    place at;
+    place at, word;
     const form *f;
+    bool is_named = false;
     int i;
 
     for (i = 0; i < CHANNELS; i++)
         out[i] = 0.0;
     state_settle(in);
+    word = in->token.at;
     while (!in->failed && (state_keyword(in) == KEYWORD_COLOR || state_keyword(in) == KEYWORD_COLOUR)) {
         state_advance(in);
         state_settle(in);
-        bare = true;
+        is_named = true;
     }
     at = in->token.at;
     f = form_of(state_keyword(in));
@@ -162,8 +164,10 @@ void value_colour_components(pov_reader *in, bool bare, double out[CHANNELS])
         at = in->token.at;
         read_form(in, f, true, out);
     } else if (channel_of(state_keyword(in)) < 0) {
-        if (value_colour_follows(in, bare))
-            read_form(in, &plain, bare, out);
+        if (value_colour_follows(in, bare || is_named))
+            read_form(in, &plain, bare || is_named, out);
+        else if (is_named)
+            report_warn(in, &word, "no colour follows \"color\": it is black");
         else
             report_expected(in, "a colour");
     }

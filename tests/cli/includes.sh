@@ -52,3 +52,14 @@ includes_fonts_are_found_without_their_ending() {
     [ -s cyrvetic.said ]
     cmp cyrvetic.said cyrvetic.ttf.said
 }
+
+includes_outside_of_the_folders_are_named_as_such() {
+    mkdir scenes elsewhere
+    echo '#debug "read"' > elsewhere/part.inc
+    echo '#include "../elsewhere/part.inc"' > scenes/s.pov
+    cd scenes
+    expect 1 "$povc" --check s.pov
+    says err '"../elsewhere/part.inc" is outside of the folders that scenes are read from; -L FOLDER'
+    expect 0 "$povc" --check -L ../elsewhere s.pov
+    says err read
+}

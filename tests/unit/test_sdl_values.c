@@ -152,6 +152,19 @@ static void a_value_may_begin_with_a_colours_name(void **state)
     reading_end(&r);
 }
 
+static void the_word_color_alone_is_black_with_a_warning(void **state)
+{
+    reading r;
+
+    (void)state;
+    reading_begin(&r, "background { rgb 1 } background { color } light_source { 0 colour }\n"
+                      "sphere { 0, 1 pigment { gradient y color_map { [0 color][1 color red 1] } } }");
+    assert_int_equal(r.status, POV_OK);
+    assert_int_equal(r.model.warnings, 3);
+    assert_true(r.model.background.r == 0.0f);
+    reading_end(&r);
+}
+
 static void the_default_texture_is_that_of_the_statement(void **state)
 {
     reading r;
@@ -190,6 +203,7 @@ int main(void)
         cmocka_unit_test(colours_are_read_in_every_form),
         cmocka_unit_test(a_bare_vector_is_a_colour_where_nothing_else_can_stand),
         cmocka_unit_test(a_value_may_begin_with_a_colours_name),
+        cmocka_unit_test(the_word_color_alone_is_black_with_a_warning),
         cmocka_unit_test(the_default_texture_is_that_of_the_statement),
         cmocka_unit_test(a_background_is_darkened_by_what_it_transmits),
     };
