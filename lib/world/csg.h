@@ -69,6 +69,11 @@ typedef struct csg_chords {
 
 /* What the surfaces of few members are, about, side by side: csg_outline.c. */
 enum { CSG_COLUMNS = 16 };
+
+/* A quadric whose square part is `all` (x . x) + of_axis (axis . x)^2, of a sphere without the second one. */
+typedef enum csg_turned_kind { CSG_NOT_TURNED, CSG_SPHERE, CSG_TURNED } csg_turned_kind;
+typedef struct csg_turned { double all, of_axis; pov_vec3 axis; csg_turned_kind kind; } csg_turned;
+
 typedef struct csg_outline {
     uint32_t count, member[CSG_COLUMNS];     /* columns: of chords theirs, else the members that are not absent */
     uint32_t hidden, bare;       /* columns, as bits: they clip; they are quadrics without slabs, of any kind */
@@ -80,6 +85,7 @@ typedef struct csg_outline {
     uint8_t first_slab[CSG_COLUMNS + 1];     /* by column: the first of its slabs, which stand one behind the other */
     uint32_t round;              /* columns, as bits: they have a quadric, in this order */
     uint8_t quadric[CSG_COLUMNS];            /* by column: which */
+    csg_turned *turned;          /* by quadric; NULL without chords */
     double numbers[];
 } csg_outline;
 

@@ -223,9 +223,13 @@ bool csg_chords_report(csg_traversal *w, const csg_first *f, pov_hits *hits)
 /* False: open. */
 static bool is_found(csg_traversal *w, pov_hits *hits)
 {
+    const uint32_t from = csg_outline_column(w);
     csg_first first;
 
-    switch (csg_outline_first(w->tree, w->ray, csg_outline_column(w), hits->tmax + hits->slack, &first)) {
+    /* A ray that leaves a convex member outward leaves the tree, which is within it. */
+    if (w->ray->origin_mark.flags & POV_MARK_OUTWARD && w->tree->chords.within >> from & 1)
+        return true;
+    switch (csg_outline_first(w->tree, w->ray, from, hits->tmax + hits->slack, &first)) {
     case CSG_NOTHING:
         return true;
     case CSG_CROSSED:

@@ -5,35 +5,47 @@
 
 #include <string.h>
 
-enum { TOGETHER = 8 };
+enum { TOGETHER = 8, GROUPS = POV_RAYS_MAX / TOGETHER };
 typedef double lane[TOGETHER];
 
-/* Rays in the tree's units, as near_ray; where they start, and the columns that they start on. */
-typedef struct SIMD_ALIGNED near_rays { lane at[3], along[3], start, per_unit, most, from, far; } near_rays;
+/* Rays in the tree's units, as near_ray, and by column where each is inside that; OPEN: a number other than 0 where that is not known. */
+enum { AT, ALONG = AT + 3, SQUARE = ALONG + 3, START, PER_UNIT, OPEN, KNOWN };
+typedef struct SIMD_ALIGNED near_rays {
+    lane of[KNOWN], in[CSG_FEW], out[CSG_FEW];
+    uint8_t ray[TOGETHER];       /* its lane */
+} near_rays;
 
-/* By column where each ray is inside it; numbers other than 0 where that is open, and where it certainly passes the tree. */
-typedef struct SIMD_ALIGNED intervals { lane in[CSG_FEW], out[CSG_FEW], open, passed; } intervals;
-
-/* The first crossing: its place, whose it is, and 1 if that is entered. */
-typedef struct SIMD_ALIGNED firsts { lane at, leave, column, enters, moved, unclear; } firsts;
+/* The first crossing: its place, between which distances it is, twice its column and 1 if that is entered; numbers other than 0
+ * where that is open, and where there is none. */
+typedef struct SIMD_ALIGNED firsts { lane at, lo, hi, crossing, open, passed; } firsts;
 
 static const double margin = CSG_OUTLINE_MARGIN;
 
-SIMD_INLINE int is_near(double a, double b) { return fabs(a - b) <= margin; }
+SIMD_INLINE double lesser(double a, double b) { return a < b ? a : b; }
+SIMD_INLINE double greater(double a, double b) { return a > b ? a : b; }
+
+SIMD_INLINE double smallest(const double *restrict a)
+{
+    double least = a[0];
+
+    for (uint32_t i = 1; i < TOGETHER; i++)
+        least = lesser(a[i], least);
+    return least;
+}
+
+SIMD_INLINE double greatest(const double *restrict a)
+{
+    double most = a[0];
+
+    for (uint32_t i = 1; i < TOGETHER; i++)
+        most = greater(a[i], most);
+    return most;
+}
 
 /* ---- rays ---- */
 
-static double column_of(const csg_tree *t, uint32_t name)
-{
-    const uint32_t member = name - t->members[0].leaf;
-
-    for (uint32_t i = 0; member < t->member_count && i < t->few.count; i++)
-        if (t->chords.member[i] == member)
-            return i;
-    return CSG_COLUMNS;
-}
-
-SIMD_INLINE void come_near(const csg_outline *of, const pov_rays *restrict rays, uint32_t first, uint32_t n, near_rays *restrict out)
+SIMD_INLINE void come_near(const csg_outline *of, const pov_rays *restrict rays, uint32_t first, uint32_t n,
+                           near_rays *restrict out)
 {
     const pov_vec3 centre = of->centre;
     const double size = of->size, per_size = of->per_size;
@@ -43,261 +55,399 @@ SIMD_INLINE void come_near(const csg_outline *of, const pov_rays *restrict rays,
         const double x = (rays->org[0][k] - centre.x) * per_size, y = (rays->org[1][k] - centre.y) * per_size,
             z = (rays->org[2][k] - centre.z) * per_size, per_length = rays->per_length[k];
         const double dx = rays->dir[0][k] * per_length, dy = rays->dir[1][k] * per_length, dz = rays->dir[2][k] * per_length;
-        const double start = x * dx + y * dy + z * dz;
+        const double start = x * dx + y * dy + z * dz, px = x - dx * start, py = y - dy * start, pz = z - dz * start;
 
-        out->at[0][i] = x - dx * start;
-        out->at[1][i] = y - dy * start;
-        out->at[2][i] = z - dz * start;
-        out->along[0][i] = dx;
-        out->along[1][i] = dy;
-        out->along[2][i] = dz;
-        out->start[i] = start;
-        out->per_unit[i] = per_length * size;
-        out->most[i] = rays->tmax[k];
-        out->far[i] = (int)(fabs(x) < CSG_FARTHEST) & (int)(fabs(y) < CSG_FARTHEST) & (int)(fabs(z) < CSG_FARTHEST) ? 0.0 : 1.0;
+        out->of[AT][i] = px;
+        out->of[AT + 1][i] = py;
+        out->of[AT + 2][i] = pz;
+        out->of[ALONG][i] = dx;
+        out->of[ALONG + 1][i] = dy;
+        out->of[ALONG + 2][i] = dz;
+        out->of[SQUARE][i] = px * px + py * py + pz * pz;
+        out->of[START][i] = start;
+        out->of[PER_UNIT][i] = per_length * size;
+        out->of[OPEN][i] = greater(greater(fabs(x), fabs(y)), fabs(z)) < CSG_FARTHEST ? 0.0 : 1.0;
     }
 }
 
-/* Behind so many lanes they come again: a small packet has no more. */
-static void repeat(near_rays *all, uint32_t n)
+/* A small packet has no more than four lanes: behind them they come again. */
+static void repeat(near_rays *k)
 {
-    unsigned char *const first = (unsigned char *)all;
+    for (uint32_t i = 0; i < KNOWN; i++)
+        memcpy(k->of[i] + TOGETHER / 2, k->of[i], sizeof(lane) / 2);
+}
 
-    for (size_t i = 0; i < sizeof *all; i += sizeof(lane))
-        memcpy(first + i + n * sizeof(double), first + i, n * sizeof(double));
+/* The ray in lane i to lane j of others, with its columns `some`. */
+static void move(const near_rays *from, uint32_t i, uint32_t some, near_rays *to, uint32_t j)
+{
+    for (uint32_t k = 0; k < KNOWN; k++)
+        to->of[k][j] = from->of[k][i];
+    for (; some; some &= some - 1) {
+        const uint32_t c = first_of(some);
+
+        to->in[c][j] = from->in[c][i];
+        to->out[c][j] = from->out[c][i];
+    }
 }
 
 /* ---- columns ---- */
 
-SIMD_INLINE pov_vec3 lane_at(const lane *from, uint32_t i) { return pov_vec3_of(from[0][i], from[1][i], from[2][i]); }
+SIMD_INLINE pov_vec3 vector(const near_rays *restrict k, uint32_t which, uint32_t i)
+{
+    return pov_vec3_of(k->of[which][i], k->of[which + 1][i], k->of[which + 2][i]);
+}
 
 /* What a slab or quadric and the column have in common. */
-SIMD_INLINE void narrow(csg_stretch s, uint32_t column, uint32_t i, intervals *restrict io)
+SIMD_INLINE void narrow(csg_stretch s, uint32_t column, uint32_t i, near_rays *restrict io)
 {
-    io->in[column][i] = s.in > io->in[column][i] ? s.in : io->in[column][i];
-    io->out[column][i] = s.out < io->out[column][i] ? s.out : io->out[column][i];
-    io->open[i] = s.open > io->open[i] ? s.open : io->open[i];
+    io->in[column][i] = greater(s.in, io->in[column][i]);
+    io->out[column][i] = lesser(s.out, io->out[column][i]);
+    io->of[OPEN][i] = greater(s.open, io->of[OPEN][i]);
 }
 
-SIMD_INLINE void cross_column(const csg_outline *of, uint32_t column, const near_rays *restrict k, intervals *restrict io)
+SIMD_INLINE void cross_slab(const double *restrict number, uint32_t column, near_rays *restrict k)
 {
-    const double *quadrics = of->numbers + CSG_SLAB_NUMBERS * of->slabs;
+    SIMD_LOOP for (uint32_t i = 0; i < TOGETHER; i++)
+        narrow(csg_cross_slab(number, vector(k, AT, i), vector(k, ALONG, i), CSG_LEAST_HEIGHT), column, i, k);
+}
 
-    SIMD_LOOP for (uint32_t i = 0; i < TOGETHER; i++) {
-        io->in[column][i] = -HUGE_VAL;
-        io->out[column][i] = HUGE_VAL;
-    }
-    for (uint32_t slab = of->first_slab[column]; slab < of->first_slab[column + 1]; slab++) {
-        const double *number = of->numbers + csg_number(CSG_SLAB_NUMBERS, slab);
+SIMD_INLINE void cross_general(const double *restrict of, uint32_t column, near_rays *restrict k)
+{
+    double number[CSG_FOUR * CSG_QUADRIC_NUMBERS];
 
-        SIMD_LOOP for (uint32_t i = 0; i < TOGETHER; i++)
-            narrow(csg_cross_slab(number, lane_at(k->at, i), lane_at(k->along, i), CSG_LEAST_HEIGHT), column, i, io);
-    }
-    if (!(of->round >> column & 1))
-        return;
-    quadrics += csg_number(CSG_QUADRIC_NUMBERS, of->quadric[column]);
+    for (uint32_t i = 0; i < CSG_QUADRIC_NUMBERS; i++)
+        number[CSG_FOUR * i] = of[CSG_FOUR * i];
     SIMD_LOOP for (uint32_t i = 0; i < TOGETHER; i++) {
-        csg_stretch s = csg_cross_quadric(quadrics, lane_at(k->at, i), lane_at(k->along, i), 1.0);
+        csg_stretch s = csg_cross_quadric(number, vector(k, AT, i), vector(k, ALONG, i), 1.0);
 
         s.open = s.square < 0.0 ? 1.0 : s.open;
-        narrow(s, column, i, io);
+        narrow(s, column, i, k);
     }
 }
 
-/* What the columns of `within` have in common: rays that are never within all ahead and before their end pass the tree. */
-SIMD_INLINE void find_common(uint32_t within, const near_rays *restrict k, intervals *restrict io, firsts *restrict out)
+SIMD_INLINE void cross_round(const csg_outline *of, uint32_t column, near_rays *restrict k)
 {
-    SIMD_LOOP for (uint32_t i = 0; i < TOGETHER; i++) {
-        out->at[i] = -HUGE_VAL;
-        out->leave[i] = HUGE_VAL;
-    }
-    for (; within; within &= within - 1) {
-        const uint32_t c = first_of(within);
+    const uint32_t quadric = of->quadric[column];
+    const double *restrict number = of->numbers + CSG_SLAB_NUMBERS * of->slabs + csg_number(CSG_QUADRIC_NUMBERS, quadric);
+    const csg_turned turned = of->turned[quadric];
 
-        SIMD_LOOP for (uint32_t i = 0; i < TOGETHER; i++) {
-            out->at[i] = io->in[c][i] > out->at[i] ? io->in[c][i] : out->at[i];
-            out->leave[i] = io->out[c][i] < out->leave[i] ? io->out[c][i] : out->leave[i];
-        }
-    }
-    SIMD_LOOP for (uint32_t i = 0; i < TOGETHER; i++) {
-        const double enter = out->at[i], leave = out->leave[i], start = k->start[i];
-        const int never = (int)(enter > leave + margin) | (int)(leave < start - margin) |
-                          (int)((enter - start - margin) * k->per_unit[i] > k->most[i]);
-
-        io->passed[i] = never & (int)(io->open[i] == 0.0) ? 1.0 : io->passed[i];
-    }
+    if (turned.kind == CSG_SPHERE)
+        SIMD_LOOP for (uint32_t i = 0; i < TOGETHER; i++)
+            narrow(csg_cross_turned(number, &turned, false, vector(k, AT, i), vector(k, ALONG, i), k->of[SQUARE][i]), column, i, k);
+    else if (turned.kind == CSG_TURNED)
+        SIMD_LOOP for (uint32_t i = 0; i < TOGETHER; i++)
+            narrow(csg_cross_turned(number, &turned, true, vector(k, AT, i), vector(k, ALONG, i), k->of[SQUARE][i]), column, i, k);
+    else
+        cross_general(number, column, k);
 }
 
-/* As begin() in csg_outline.c. */
-SIMD_INLINE void begin(uint32_t columns, const near_rays *restrict k, intervals *restrict io)
+SIMD_INLINE void cross_column(const csg_outline *of, uint32_t column, near_rays *restrict k)
 {
-    for (uint32_t c = 0; c < columns; c++)
-        SIMD_LOOP for (uint32_t i = 0; i < TOGETHER; i++) {
-            const double in = io->in[c][i], out = io->out[c][i], start = k->start[i];
-            const int enters = is_near(in, start), leaves = is_near(out, start), own = k->from[i] == (double)c;
-            const int odd = own ? (int)(enters == leaves) | (int)(in > out) : (int)(in < out) & (enters | leaves);
-            const int none = (int)(in > out) | leaves | (int)(out < start), within = enters | (int)(in < start);
+    SIMD_LOOP for (uint32_t i = 0; i < TOGETHER; i++) {
+        k->in[column][i] = -HUGE_VAL;
+        k->out[column][i] = HUGE_VAL;
+    }
+    for (uint32_t slab = of->first_slab[column]; slab < of->first_slab[column + 1]; slab++)
+        cross_slab(of->numbers + csg_number(CSG_SLAB_NUMBERS, slab), column, k);
+    if (of->round >> column & 1)
+        cross_round(of, column, k);
+}
 
-            io->open[i] = odd | is_near(in, out) ? 1.0 : io->open[i];
-            io->in[c][i] = none ? HUGE_VAL : within ? -HUGE_VAL : in;
-            io->out[c][i] = none ? -HUGE_VAL : out;
+/* Rays that are never within all members that are no complements, ahead and before their end, certainly pass the tree. */
+SIMD_CLONES SIMD_NOINLINE static void find_passing(const csg_tree *t, const pov_rays *restrict rays, uint32_t first, uint32_t n,
+                                     near_rays *restrict k, double *restrict passed)
+{
+    SIMD_ALIGNED lane enter, leave, most;
+
+    come_near(t->outline, rays, first, n, k);
+    for (uint32_t i = 0; i < n; i++)
+        most[i] = rays->tmax[first + i];
+    if (n < TOGETHER) {
+        repeat(k);
+        memcpy(most + n, most, sizeof most / 2);
+    }
+    for (uint32_t i = 0; i < TOGETHER; i++) {
+        enter[i] = -HUGE_VAL;
+        leave[i] = HUGE_VAL;
+    }
+    for (uint32_t left = t->chords.within; left; left &= left - 1) {
+        const uint32_t c = first_of(left);
+
+        cross_column(t->outline, c, k);
+        SIMD_LOOP for (uint32_t i = 0; i < TOGETHER; i++) {
+            enter[i] = greater(k->in[c][i], enter[i]);
+            leave[i] = lesser(k->out[c][i], leave[i]);
         }
+    }
+    SIMD_LOOP for (uint32_t i = 0; i < TOGETHER; i++) {
+        const double start = k->of[START][i], beside = greater(enter[i], start) - leave[i];
+        const double never = beside > margin ? 1.0 : (enter[i] - start - margin) * k->of[PER_UNIT][i] > most[i] ? 1.0 : 0.0;
+
+        passed[i] = k->of[OPEN][i] > 0.0 ? 0.0 : never;
+    }
 }
 
 /* ---- the first crossing ---- */
 
-/* Beyond the hollow, of rays that are in it; unclear: it may begin or end where they are. */
-SIMD_INLINE void leave_hollow(uint32_t c, const intervals *restrict of, firsts *restrict io)
+/* The column that a ray starts on, or CSG_COLUMNS. */
+static uint32_t column_of(const csg_tree *t, uint32_t name)
 {
-    SIMD_LOOP for (uint32_t i = 0; i < TOGETHER; i++) {
-        const double in = of->in[c][i], out = of->out[c][i], at = io->at[i];
-        const int beside = (int)(in >= at + margin) | (int)(out <= at - margin) | (int)(in > out);
-        const int near = is_near(in, at) | is_near(out, at), moves = (int)(!beside) & (int)(!near);
+    const uint32_t member = name - t->members[0].leaf;
 
-        io->unclear[i] = (int)(!beside) & near & (int)(out != at) ? 1.0 : io->unclear[i];
-        io->moved[i] = moves ? 1.0 : io->moved[i];
-        io->at[i] = moves ? out : at;
-    }
+    for (uint32_t i = 0; member < t->member_count && i < t->few.count; i++)
+        if (t->chords.member[i] == member)
+            return i;
+    return CSG_COLUMNS;
 }
 
-SIMD_INLINE double any_of(const double *restrict a)
+SIMD_INLINE double nearest(double in, double out, double start)
 {
-    double any = 0.0;
+    return lesser(fabs(in - out), lesser(fabs(in - start), fabs(out - start)));
+}
+
+/* Of a ray that starts on a column's surface, the crossing there is behind. Returns how near other crossings are; 0: it is open. */
+SIMD_RARE static double leave_by_name(const csg_tree *t, const pov_ray *ray, uint32_t i, near_rays *io)
+{
+    const uint32_t c = column_of(t, ray->origin_surface);
+    const double start = io->of[START][i];
+    double least = HUGE_VAL;
+    bool enters, leaves;
+
+    if (c == CSG_COLUMNS)
+        return 0.0;
+    enters = fabs(io->in[c][i] - start) <= margin;
+    leaves = fabs(io->out[c][i] - start) <= margin;
+    if (enters == leaves || io->in[c][i] > io->out[c][i])
+        return 0.0;
+    io->in[c][i] = enters ? -HUGE_VAL : HUGE_VAL;
+    io->out[c][i] = enters ? io->out[c][i] : -HUGE_VAL;
+    for (uint32_t k = 0; k < t->few.count; k++)
+        least = lesser(nearest(io->in[k][i], io->out[k][i], start), least);
+    return least;
+}
+
+/* Crossings near the start, or ends of an interval that are near each other, leave all open. Behind this rays start within a column,
+ * or not, for certain. */
+SIMD_INLINE void check_near(const csg_tree *t, const pov_rays *restrict rays, near_rays *restrict io)
+{
+    SIMD_ALIGNED lane least;
 
     SIMD_LOOP for (uint32_t i = 0; i < TOGETHER; i++)
-        any += a[i];
-    return any;
+        least[i] = HUGE_VAL;
+    for (uint32_t c = 0; c < t->few.count; c++)
+        SIMD_LOOP for (uint32_t i = 0; i < TOGETHER; i++)
+            least[i] = lesser(nearest(io->in[c][i], io->out[c][i], io->of[START][i]), least[i]);
+    if (smallest(least) > margin)
+        return;
+    for (uint32_t i = 0; i < TOGETHER; i++)
+        if (!(least[i] > margin) && !(leave_by_name(t, rays->rays[io->ray[i]], i, io) > margin))
+            io->of[OPEN][i] = 1.0;
 }
 
-/* One after the other, until none moves any ray: each does so at most once. */
-SIMD_INLINE void leave_hollows(uint32_t hollows, const intervals *restrict of, firsts *restrict io)
+/* Beyond the hollows that rays are certainly in, one after the other, until none moves any ray: each does so at most once. Ends of
+ * others that are near are found when all is looked at. */
+SIMD_INLINE void leave_hollows(uint32_t hollows, const near_rays *restrict of, double *restrict at)
 {
-    for (uint32_t pass = 0; pass <= CSG_FEW; pass++) {
+    for (uint32_t left = hollows; left; left &= left - 1) {
+        SIMD_ALIGNED lane deepest;
+
         SIMD_LOOP for (uint32_t i = 0; i < TOGETHER; i++)
-            io->moved[i] = io->unclear[i] = 0.0;
-        for (uint32_t rest = hollows; rest; rest &= rest - 1)
-            leave_hollow(first_of(rest), of, io);
-        if (!(any_of(io->moved) > 0.0))
+            deepest[i] = 0.0;
+        for (uint32_t rest = hollows; rest; rest &= rest - 1) {
+            const uint32_t c = first_of(rest);
+
+            SIMD_LOOP for (uint32_t i = 0; i < TOGETHER; i++) {
+                const double out = of->out[c][i], depth = lesser(at[i] - of->in[c][i], out - at[i]);
+
+                at[i] = depth > margin ? out : at[i];
+                deepest[i] = greater(depth, deepest[i]);
+            }
+        }
+        if (!(greatest(deepest) > margin))
             break;
     }
 }
 
 /* Rays that start inside the solid leave it where all columns of `within` end, or a hollow begins. */
-SIMD_INLINE void find_exits(uint32_t hollows, const intervals *restrict of, const near_rays *restrict k, firsts *restrict io)
+SIMD_INLINE void find_exits(uint32_t hollows, const near_rays *restrict of, const double *restrict leave, double *restrict at)
 {
+    SIMD_ALIGNED lane first;
+
+    SIMD_LOOP for (uint32_t i = 0; i < TOGETHER; i++)
+        first[i] = leave[i];
     for (; hollows; hollows &= hollows - 1) {
         const uint32_t c = first_of(hollows);
 
-        SIMD_LOOP for (uint32_t i = 0; i < TOGETHER; i++)
-            io->leave[i] = of->in[c][i] > -HUGE_VAL && of->in[c][i] < io->leave[i] ? of->in[c][i] : io->leave[i];
+        SIMD_LOOP for (uint32_t i = 0; i < TOGETHER; i++) {
+            const double in = of->in[c][i], ahead = in > of->of[START][i] ? in : HUGE_VAL;
+
+            first[i] = lesser(in < of->out[c][i] ? ahead : HUGE_VAL, first[i]);
+        }
     }
     SIMD_LOOP for (uint32_t i = 0; i < TOGETHER; i++)
-        io->at[i] = io->at[i] == k->start[i] ? io->leave[i] : io->at[i];
+        at[i] = at[i] == of->of[START][i] ? first[i] : at[i];
 }
 
 /* Whose crossing it is; that of several that are near each other is open. */
-SIMD_INLINE void find_ends(uint32_t columns, intervals *restrict of, firsts *restrict io)
+SIMD_INLINE void find_ends(uint32_t columns, const near_rays *restrict of, firsts *restrict io)
 {
-    lane times = { 0.0 };
+    SIMD_ALIGNED lane near;
 
-    for (uint32_t c = 0; c < columns; c++)
+    SIMD_LOOP for (uint32_t i = 0; i < TOGETHER; i++)
+        near[i] = io->crossing[i] = 0.0;
+    for (uint32_t c = 0; c < columns; c++) {
+        const double entry = 2.0 * c + 1.0, end = 2.0 * c;
+
         SIMD_LOOP for (uint32_t i = 0; i < TOGETHER; i++) {
             const double in = of->in[c][i], out = of->out[c][i], at = io->at[i];
 
-            io->column[i] = (int)(in == at) | (int)(out == at) ? (double)c : io->column[i];
-            io->enters[i] = in == at ? 1.0 : io->enters[i];
-            times[i] += (is_near(in, at) ? 1.0 : 0.0) + (is_near(out, at) ? 1.0 : 0.0);
+            near[i] += (fabs(in - at) > margin ? 0.0 : 1.0) + (fabs(out - at) > margin ? 0.0 : 1.0);
+            io->crossing[i] = in == at ? entry : out == at ? end : io->crossing[i];
         }
+    }
     SIMD_LOOP for (uint32_t i = 0; i < TOGETHER; i++)
-        of->open[i] = times[i] == 1.0 ? of->open[i] : 1.0;
+        io->open[i] = near[i] == 1.0 ? io->open[i] : 1.0;
 }
 
-SIMD_INLINE void find_firsts(const csg_tree *t, const near_rays *restrict k, intervals *restrict io, firsts *restrict out)
+SIMD_CLONES SIMD_NOINLINE static void find_firsts(const csg_tree *t, const pov_rays *restrict rays, near_rays *restrict k,
+                                                  firsts *restrict out)
 {
     const uint32_t hollows = t->chords.all & ~t->chords.within;
+    SIMD_ALIGNED lane leave;
 
-    begin(t->few.count, k, io);
-    find_common(t->chords.within, k, io, out);
+    for (uint32_t left = hollows; left; left &= left - 1)
+        cross_column(t->outline, first_of(left), k);
+    check_near(t, rays, k);
     SIMD_LOOP for (uint32_t i = 0; i < TOGETHER; i++) {
-        io->open[i] = out->at[i] > out->leave[i] - margin ? 1.0 : io->open[i];
-        out->at[i] = out->at[i] > -HUGE_VAL ? out->at[i] : k->start[i];
-        out->column[i] = out->enters[i] = 0.0;
+        out->at[i] = k->of[START][i];
+        leave[i] = HUGE_VAL;
     }
-    leave_hollows(hollows, io, out);
-    SIMD_LOOP for (uint32_t i = 0; i < TOGETHER; i++) {
-        const int open = (int)(io->open[i] > 0.0) | (int)(out->moved[i] > 0.0) | (int)(out->unclear[i] > 0.0);
+    for (uint32_t left = t->chords.within; left; left &= left - 1) {
+        const uint32_t c = first_of(left);
 
-        io->passed[i] = !open & (int)(out->at[i] > out->leave[i] + margin) ? 1.0 : io->passed[i];
-        io->open[i] = open | (int)(out->at[i] > out->leave[i] - margin) ? 1.0 : io->open[i];
+        SIMD_LOOP for (uint32_t i = 0; i < TOGETHER; i++) {
+            out->at[i] = greater(k->in[c][i], out->at[i]);
+            leave[i] = lesser(k->out[c][i], leave[i]);
+        }
     }
-    find_exits(hollows, io, k, out);
-    find_ends(t->few.count, io, out);
-}
-
-SIMD_CLONES static void find(const csg_tree *t, const pov_rays *restrict rays, uint32_t first, uint32_t n, near_rays *restrict k,
-                             intervals *restrict io, firsts *restrict out)
-{
-    come_near(t->outline, rays, first, n, k);
-    if (n < TOGETHER)
-        repeat(k, n);
+    leave_hollows(hollows, k, out->at);
     SIMD_LOOP for (uint32_t i = 0; i < TOGETHER; i++) {
-        io->open[i] = k->far[i];
-        io->passed[i] = 0.0;
+        const double beyond = out->at[i] - leave[i], open = k->of[OPEN][i];
+
+        out->passed[i] = open > 0.0 ? 0.0 : beyond > margin ? 1.0 : 0.0;
+        out->open[i] = beyond < -margin ? open : 1.0;
     }
-    for (uint32_t left = t->chords.within; left; left &= left - 1)
-        cross_column(t->outline, first_of(left), k, io);
-    find_common(t->chords.within, k, io, out);
-    if (any_of(io->passed) == TOGETHER)
-        return;
-    for (uint32_t left = t->chords.all & ~t->chords.within; left; left &= left - 1)
-        cross_column(t->outline, first_of(left), k, io);
-    find_firsts(t, k, io, out);
+    find_exits(hollows, k, leave, out->at);
+    find_ends(t->few.count, k, out);
+    SIMD_LOOP for (uint32_t i = 0; i < TOGETHER; i++) {
+        const double at = out->at[i] - k->of[START][i], per_unit = k->of[PER_UNIT][i];
+
+        out->lo[i] = (at - margin) * per_unit;
+        out->hi[i] = (at + margin) * per_unit;
+    }
 }
 
 /* ---- candidates ---- */
 
-/* Bits of notes: they say which crossing it is. */
-enum { ENTERS = 0x100, INWARD = 0x200 };
+/* Rays that do not certainly pass the tree, `count` of them; the group behind them is filled before it is known which ones these are. */
+typedef struct waiting { near_rays group[GROUPS + 1]; uint32_t count; } waiting;
 
-static pov_candidate candidate_of(const csg_tree *t, const near_rays *k, const intervals *io, const firsts *f, uint32_t i)
+static void add(const near_rays *of, uint32_t i, uint32_t within, waiting *to)
 {
-    const double per_unit = k->per_unit[i], at = f->at[i] - k->start[i];
-    const uint32_t column = (uint32_t)f->column[i];
-    const bool enters = f->enters[i] > 0.0;
-    pov_candidate m = { .lo = 0.0 };
+    near_rays *group = &to->group[to->count / TOGETHER];
+    const uint32_t j = to->count++ % TOGETHER;
 
-    if (io->open[i] > 0.0)
-        return m;
-    m.lo = (at - margin) * per_unit;
-    m.hi = (at + margin) * per_unit;
-    m.definite = m.hi * (1.0 + 0x1p-40) < k->most[i];
-    m.note = column | (enters ? ENTERS : 0) | (enters == (t->chords.within >> column & 1) ? INWARD : 0);
-    return m;
+    if (j == 0 && of != group)
+        *group = *of;
+    if (of != group || j != i)
+        move(of, i, within, group, j);
+    group->ray[j] = of->ray[i];
+}
+
+/* Those of the rays of `some`, eight from `first` on, that do not leave a convex member outward, and so the tree, which is within it. */
+static uint32_t staying(const csg_tree *t, const pov_rays *rays, uint32_t first, uint32_t some)
+{
+    const uint32_t leaf = t->members[0].leaf, members = t->member_count;
+    uint32_t any = 0;
+
+    for (uint32_t i = 0; i < TOGETHER; i++)
+        any |= rays->excluded[first + i] - leaf < members ? 1 : 0;
+    for (uint32_t left = any ? some : 0; left; left &= left - 1) {
+        const pov_ray *ray = rays->rays[first + first_of(left)];
+
+        if (ray->origin_mark.flags & POV_MARK_OUTWARD && t->chords.within >> column_of(t, ray->origin_surface) & 1)
+            some &= ~(1u << first_of(left));
+    }
+    return some;
 }
 
 /* The rays of `some`, eight from `first` on. */
-static uint32_t filter_some(const csg_tree *t, const pov_rays *rays, uint32_t first, uint32_t some, uint32_t which, pov_candidate *out)
+static void take(const csg_tree *t, const pov_rays *rays, uint32_t first, uint32_t some, waiting *to)
 {
-    near_rays k;
-    intervals io;
-    firsts f;
-    uint32_t n = 0;
+    near_rays *k = &to->group[to->count % TOGETHER ? GROUPS : to->count / TOGETHER];
+    SIMD_ALIGNED lane passed;
+    uint32_t n;
 
-    for (uint32_t i = 0; i < TOGETHER; i++)
-        k.from[i] = some >> i & 1 ? column_of(t, rays->rays[first + i]->origin_surface) : CSG_COLUMNS;
-    find(t, rays, first, some >> TOGETHER / 2 ? TOGETHER : TOGETHER / 2, &k, &io, &f);
-    for (; some; some &= some - 1) {
-        const uint32_t i = first_of(some);
-
-        if (io.passed[i] > 0.0)
-            continue;
-        out[n] = candidate_of(t, &k, &io, &f, i);
-        if (out[n].lo > k.most[i])
-            continue;
-        out[n].ray = (uint8_t)(first + i);
-        out[n++].lane = (uint8_t)which;
+    some = staying(t, rays, first, some);
+    if (!some)
+        return;
+    n = some >> TOGETHER / 2 ? TOGETHER : TOGETHER / 2;
+    find_passing(t, rays, first, n, k, passed);
+    for (uint32_t i = 0; i < TOGETHER; i++) {
+        k->ray[i] = (uint8_t)(first + i % n);
+        some &= ~((passed[i] > 0.0 ? 1u : 0u) << i);
     }
-    return n;
+    for (; some; some &= some - 1)
+        add(k, first_of(some), t->chords.within, to);
+}
+
+static pov_candidate candidate_of(const csg_tree *t, const firsts *f, uint32_t i, double most)
+{
+    const uint32_t crossing = (uint32_t)f->crossing[i], column = crossing >> 1;
+    const bool enters = crossing & 1;
+    pov_candidate m = { .lo = 0.0 };
+
+    if (f->open[i] > 0.0)
+        return m;
+    m.lo = f->lo[i];
+    m.hi = f->hi[i];
+    m.definite = m.hi * (1.0 + 0x1p-40) < most;
+    m.note = column | (enters ? CSG_NOTE_ENTERS : 0) | (enters == (t->chords.within >> column & 1) ? CSG_NOTE_INWARD : 0);
+    return m;
+}
+
+/* The first n rays of a group. */
+static uint32_t examine(const csg_tree *t, const pov_rays *rays, near_rays *k, uint32_t n, uint32_t which, pov_candidate *out)
+{
+    uint32_t found = 0;
+    firsts f;
+
+    find_firsts(t, rays, k, &f);
+    for (uint32_t i = 0; i < n; i++) {
+        const double most = rays->tmax[k->ray[i]];
+
+        if (f.passed[i] > 0.0)
+            continue;
+        out[found] = candidate_of(t, &f, i, most);
+        out[found].ray = k->ray[i];
+        out[found].lane = (uint8_t)which;
+        found += !(out[found].lo > most);
+    }
+    return found;
+}
+
+static uint32_t filter(const csg_tree *t, const pov_rays *rays, uint64_t lanes, uint32_t which, pov_candidate *out)
+{
+    uint32_t found = 0;
+    waiting k;
+
+    k.count = 0;
+    for (uint32_t first = 0; first < POV_RAYS_MAX && lanes >> first; first += TOGETHER)
+        if (lanes >> first & ((1u << TOGETHER) - 1))
+            take(t, rays, first, (uint32_t)(lanes >> first) & ((1u << TOGETHER) - 1), &k);
+    for (uint32_t i = 0; i < k.count; i += TOGETHER)
+        found += examine(t, rays, &k.group[i / TOGETHER], k.count - i < TOGETHER ? k.count - i : TOGETHER, which, out + found);
+    return found;
 }
 
 static uint32_t decline(uint64_t lanes, uint32_t which, pov_candidate *out)
@@ -319,13 +469,10 @@ uint32_t csg_filter(const void *block, const uint32_t *owners, const pov_rays *r
     for (uint32_t which = 0; which < b->count; which++) {
         const csg_tree *t = b->tree[which];
 
-        if ((lanes & (lanes - 1)) == 0 || !t->outline) {
+        if ((lanes & (lanes - 1)) == 0 || !t->outline)
             n += decline(lanes, which, out + n);
-            continue;
-        }
-        for (uint32_t first = 0; first < POV_RAYS_MAX && lanes >> first; first += TOGETHER)
-            if (lanes >> first & ((1u << TOGETHER) - 1))
-                n += filter_some(t, rays, first, (uint32_t)(lanes >> first) & ((1u << TOGETHER) - 1), which, out + n);
+        else
+            n += filter(t, rays, lanes, which, out + n);
     }
     return n;
 }
@@ -339,18 +486,4 @@ bool csg_pack(void *block, const pov_frame *frame, const void *const *selves, ui
     for (uint32_t i = 0; i < n; i++)
         b->tree[i] = ((const csg_root *)selves[i])->tree;
     return true;
-}
-
-void csg_cross_many(const void *const *selves, const pov_ray *const *rays, pov_hits *const *hits, uint32_t n)
-{
-    for (uint32_t i = 0; i < n; i++) {
-        const csg_tree *t = ((const csg_root *)selves[i])->tree;
-        const uint32_t note = ((const csg_user *)hits[i]->user)->note;
-        const csg_first first = { .column = note & (CSG_COLUMNS - 1), .enters = (note & ENTERS) != 0, .inward = (note & INWARD) != 0 };
-        csg_traversal w;
-
-        csg_traversal_init(&w, t, rays[i], hits[i]);
-        if (!csg_chords_report(&w, &first, hits[i]))
-            csg_intersect(selves[i], rays[i], hits[i]);
-    }
 }

@@ -11,7 +11,7 @@ enum { SLABS = 3 * CSG_COLUMNS, QUADRICS = CSG_COLUMNS, SLAB_NUMBERS = CSG_SLAB_
 static double *numbers_of(double *numbers, uint32_t each, uint32_t i) { return numbers + csg_number(each, i); }
 
 static const double margin = CSG_OUTLINE_MARGIN, farthest = CSG_FARTHEST;
-static const double most_cancelled = 0x1p12;
+static const double most_cancelled = 0x1p12, most_turned = 0x1p-46;
 
 /* ---- making one ---- */
 
@@ -92,6 +92,27 @@ static bool add_quadric(const pov_outline *c, const own_map *map, double *to)
     return known;
 }
 
+/* Is the square part that of a sphere, or of a quadric about the axis, but for roundings? It may be off by less than the quadric may. */
+static csg_turned find_turned(const double *of, pov_vec3 axis)
+{
+    enum { N = FOUR };
+    const double square[6] = { of[0], of[N], of[2 * N], of[3 * N], of[4 * N], of[5 * N] };
+    const double products[6] = { axis.x * axis.x, axis.y * axis.y, axis.z * axis.z, axis.x * axis.y, axis.x * axis.z, axis.y * axis.z };
+    const double trace = square[0] + square[1] + square[2], along = dot_square(square, axis, axis);
+    csg_turned out = { .all = 0.5 * (trace - along), .axis = axis };
+    double sphere = 0.0, turned = 0.0;
+
+    out.of_axis = along - out.all;
+    for (int i = 0; i < 6; i++) {
+        const double rest = square[i] - (i < 3 ? out.all : 0.0);
+
+        sphere = fmax(sphere, fabs(rest));
+        turned = fmax(turned, fabs(rest - out.of_axis * products[i]));
+    }
+    out.kind = sphere <= most_turned ? CSG_SPHERE : turned <= most_turned ? CSG_TURNED : CSG_NOT_TURNED;
+    return out;
+}
+
 /* What fills up a vector: crossed nowhere near, and met never, in a column that nobody asks. */
 static void fill_up(const csg_outline *of, double *slabs, double *quadrics, uint32_t slab_count, uint32_t quadric_count)
 {
@@ -106,6 +127,14 @@ static void fill_up(const csg_outline *of, double *slabs, double *quadrics, uint
 
         to[0] = to[FOUR] = to[2 * FOUR] = to[9 * FOUR] = 1.0;
     }
+}
+
+/* The normal of a column's first slab, of those before `end`; without one, any axis. */
+static pov_vec3 axis_of(const csg_outline *of, double *slabs, uint32_t column, uint32_t end)
+{
+    const double *number = numbers_of(slabs, SLAB_NUMBERS, of->first_slab[column]);
+
+    return of->first_slab[column] < end ? pov_vec3_of(number[0], number[FOUR], number[2 * FOUR]) : pov_vec3_of(1.0, 0.0, 0.0);
 }
 
 static bool add_all(const csg_tree *t, const pov_outline *all, csg_outline *of)
@@ -127,6 +156,8 @@ static bool add_all(const csg_tree *t, const pov_outline *all, csg_outline *of)
             of->quadric[i] = (uint8_t)q;
             if (!add_quadric(&all[i], &map, numbers_of(quadrics, QUADRIC_NUMBERS, q)))
                 return false;
+            if (of->turned)
+                of->turned[q] = find_turned(numbers_of(quadrics, QUADRIC_NUMBERS, q), axis_of(of, slabs, i, s));
             q++;
         }
     }
@@ -180,6 +211,9 @@ static bool ask_columns(const csg_tree *t, csg_outline *of, pov_outline *all)
 
 /* The sets of so many columns have their values in a table: more would take long to fill where there are many trees. */
 enum { TABLE_COLUMNS = 6 };
+
+/* What stands behind the numbers: of trees with chords what quadrics are turned, of others the table. */
+static size_t turned_size(const csg_tree *t, const csg_outline *of) { return t->chords.all ? of->quadrics * sizeof *of->turned : 0; }
 
 static size_t table_size(const csg_tree *t, const csg_outline *of)
 {
@@ -244,10 +278,11 @@ bool csg_find_outline(csg_tree *t, const env *e)
     if (!(of.per_size > 1e-100 && of.per_size < 1e100))
         return true;
     numbers = SLAB_NUMBERS * of.slabs + QUADRIC_NUMBERS * of.quadrics;
-    t->outline = env_alloc(e, 1, sizeof of + numbers * sizeof(double) + table_size(t, &of));
+    t->outline = env_alloc(e, 1, sizeof of + numbers * sizeof(double) + turned_size(t, &of) + table_size(t, &of));
     if (!t->outline)
         return false;
     *t->outline = of;
+    t->outline->turned = turned_size(t, &of) ? (csg_turned *)(void *)(t->outline->numbers + numbers) : NULL;
     if (!add_all(t, all, t->outline)) {
         env_free(e, t->outline);
         t->outline = NULL;
