@@ -41,7 +41,7 @@ static void begin(entries *e, uint32_t i, const csg_member *m, const pov_ray *ra
 }
 
 /* Rays of instanced members go to their own spaces. */
-static void transform(entries *e, uint64_t which)
+static void to_own_spaces(entries *e, uint64_t which)
 {
     xform_batch instanced;
 
@@ -122,7 +122,7 @@ void csg_cross_many(const void *const *selves, const pov_ray *const *rays, pov_h
         begin(&e, i, &t->members[t->chords.member[first.column]], rays[i], hits[i]);
         entering |= (uint64_t)1 << i;
     }
-    transform(&e, entering);
+    to_own_spaces(&e, entering);
     for (uint64_t left = entering; left; )
         left = ask_class(&e, left, ((const csg_user *)hits[0]->user)->scratch->classes);
     for (; entering; entering &= entering - 1) {
