@@ -326,8 +326,10 @@ static const char *format_of(const char *ending)
 pov_status registry_image(registry *r, const char *ending, const pov_image_format **out, pov_error *err)
 {
     const char *format = format_of(ending);
+    /* A POT is a GIF whose bytes mean otherwise. */
+    const char *file = strcmp(format, "pot") == 0 ? "gif" : format;
     const void *found;
-    pov_status status = look_up(r, &r->images, image_folder, format, format, &found, err);
+    pov_status status = look_up(r, &r->images, image_folder, file, format, &found, err);
 
     *out = found;
     return status;

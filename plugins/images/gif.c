@@ -1,4 +1,4 @@
-/* gif.c - GIF, reading: the first picture of a file. */
+/* gif.c - GIF, reading: the first picture of a file; and POT, the heights that programs for fractals store in a GIF. */
 #include "common/bytes.h"
 
 #include <povtrace/image.h>
@@ -227,18 +227,70 @@ static void deinterlace(unsigned char *pixels, unsigned width, unsigned height)
         }
 }
 
-static const char *load_gif(const void *bytes, size_t count, const pov_raster_target *target)
+/* A row's left half holds the high bytes of its heights, the right half the low ones. */
+static void pair_bytes(unsigned char *rows, unsigned width, unsigned height)
+{
+    unsigned char row[1 << 16];
+
+    for (unsigned y = 0; y < height; y++, rows += width) {
+        uint16_t *to = (uint16_t *)(void *)rows;
+
+        memcpy(row, rows, width);
+        for (unsigned x = 0; x < width / 2; x++)
+            to[x] = (uint16_t)(row[x] << 8 | row[width / 2 + x]);
+    }
+}
+
+static const char *begin_picture(common_bytes *in, picture *p)
+{
+    const char *wrong = read_header(in, p);
+
+    /* A code, of three bits at least, stands for so many pixels at most. */
+    if (!wrong && (size_t)p->width * p->height / MOST_CODES / 3 > common_bytes_left(in))
+        return "it is cut off";
+    return wrong;
+}
+
+static const char *put_picture(common_bytes *in, const picture *p, unsigned char *pixels)
+{
+    const char *wrong = pixels ? unpack(in, pixels, (size_t)p->width * p->height) : "there is no memory for it";
+
+    if (!wrong && p->is_interlaced)
+        deinterlace(pixels, p->width, p->height);
+    return wrong;
+}
+
+static const char *load_pot(const void *bytes, size_t count, const pov_raster_target *target)
 {
     common_bytes in = common_bytes_of(bytes, count);
     picture p = { .about = POV_INIT(p.about) };
-    const char *wrong = read_header(&in, &p);
+    const char *wrong = begin_picture(&in, &p);
     unsigned char *pixels;
 
     if (wrong)
         return wrong;
-    /* A code, of three bits at least, stands for so many pixels at most. */
-    if ((size_t)p.width * p.height / MOST_CODES / 3 > common_bytes_left(&in))
-        return "it is cut off";
+    if (p.width % 2 != 0)
+        return "its rows are no pairs of bytes";
+    p.about.width = (int)p.width / 2;
+    p.about.height = (int)p.height;
+    p.about.bits = 16;
+    p.about.channels = 1;
+    p.about.stride = p.width;
+    pixels = target->begin(target->user, &p.about);
+    wrong = put_picture(&in, &p, pixels);
+    if (!wrong)
+        pair_bytes(pixels, p.width, p.height);
+    return wrong;
+}
+
+static const char *load_gif(const void *bytes, size_t count, const pov_raster_target *target)
+{
+    common_bytes in = common_bytes_of(bytes, count);
+    picture p = { .about = POV_INIT(p.about) };
+    const char *wrong = begin_picture(&in, &p);
+
+    if (wrong)
+        return wrong;
     if (p.clear >= 0)
         p.colours.colour[p.clear][3] = 0;
     p.about.width = (int)p.width;
@@ -249,19 +301,16 @@ static const char *load_gif(const void *bytes, size_t count, const pov_raster_ta
     p.about.colours = (int)p.colours.count;
     p.about.has_alpha = p.clear >= 0;
     p.about.stride = p.width;
-    pixels = target->begin(target->user, &p.about);
-    if (!pixels)
-        return "there is no memory for it";
-    wrong = unpack(&in, pixels, (size_t)p.width * p.height);
-    if (!wrong && p.is_interlaced)
-        deinterlace(pixels, p.width, p.height);
-    return wrong;
+    return put_picture(&in, &p, target->begin(target->user, &p.about));
 }
 
 static const pov_image_format gif = {
     .size = sizeof(pov_image_format), .depths = POV_IMAGE_8, .ending = "gif", .load = load_gif,
 };
-static const pov_image_format *const formats[] = { &gif, NULL };
+static const pov_image_format pot = {
+    .size = sizeof(pov_image_format), .depths = POV_IMAGE_16, .ending = "pot", .load = load_pot,
+};
+static const pov_image_format *const formats[] = { &gif, &pot, NULL };
 
 POV_PLUGIN(gif) = {
     .abi = POV_PLUGIN_ABI, .size = sizeof(pov_plugin), .name = "gif", .version = "0.1.0", .images = formats,
