@@ -43,7 +43,7 @@ def arguments():
     parser.add_argument('--timeout', type=float, default=120.0, help='seconds for each program and scene')
     parser.add_argument('--only', default='', help='scenes whose path holds this')
     parser.add_argument('--again', action='store_true', help='only the scenes that did not match last time')
-    parser.add_argument('--measure', action='store_true', help="draw POV-Ray's again where its times are not known")
+    parser.add_argument('--measure', action='store_true', help="draw POV-Ray's again where times are not known")
     parser.add_argument('--page', type=Path, help='write the tables of docs/corpus.md there')
     parser.add_argument('--refine', action='store_true', help='draw noisy scenes that differ with finer settings; minutes each')
     parser.add_argument('--read-only', action='store_true', help='read the scenes, draw none')
@@ -70,7 +70,7 @@ class Run:
         start = time.monotonic()
         with tempfile.TemporaryFile() as said, tempfile.NamedTemporaryFile('r') as most:
             measured = [GNU_TIME, '-q', '-f', '%M', '-o', most.name, *command] if GNU_TIME else command
-            process = subprocess.Popen(measured, cwd=folder, stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=said,
+            process = subprocess.Popen(measured, cwd=folder, stdin=subprocess.DEVNULL, stdout=said, stderr=said,
                                        start_new_session=True)
             late = []
             timer = threading.Timer(seconds, lambda: (late.append(True), os.killpg(process.pid, signal.SIGKILL)))
@@ -124,14 +124,15 @@ def draw_theirs(scene, picture, options):
     note = picture.with_suffix('.txt')
     if note.exists() and note.stat().st_mtime > scene.stat().st_mtime:
         kept = [ast.literal_eval(word) for word in note.read_text().split()]
-        if len(kept) == 5 or not options.measure:
-            return (kept + [None] * 3)[:5]
+        kept = (kept + [None] * 3)[:5]
+        if kept[0] != 0 or None not in kept or not options.measure:
+            return kept
     width, height = options.size.split('x')
     include = ['+L' + str(scene.parent)] + ['+L' + f for f in ('/usr/share/povray-3.7/include', '/usr/share/povray/include') if Path(f).is_dir()]
     ini = frames_of(scene)
     command = first_frame(ini, picture, options.size) if ini else [f'+I{scene.name}', f'+O{picture.resolve()}',
                                                                    f'+W{width}', f'+H{height}', '-A', '-D', '+FN8', '+WT1']
-    done = Run([options.povray, *command, '-GA', '+GS', *include], scene.parent, options.timeout)
+    done = Run([options.povray, *command, '-GD', '-GF', '-GR', '-GW', '+GS', *include], scene.parent, options.timeout)
     if ini:
         take_frame(picture)
     trace = re.search(r'Trace Time:.*?with\s+([0-9.]+) CPU-seconds', done.said, re.S)
@@ -196,9 +197,9 @@ def look_at(scene, folder, options):
     ours, theirs = options.work / 'povc' / f'{name}.png', options.work / 'povray' / f'{name}.png'
     done = draw_ours(scene, ours, options)
     missing, error = missing_of(done.said)
-    trace = re.search(r'^trace(?: time)?: ([0-9.]+) s', done.said, re.M)
+    trace = re.search(r'^trace: ([0-9.]+) s', done.said, re.M)
     row = {'scene': str(scene.relative_to(folder)), 'name': name, 'status': done.status, 'seconds': done.wall, 'cpu': done.cpu,
-           'memory': done.memory, 'trace': float(trace.group(1)) if trace else None, 'missing': missing,
+           'memory': done.memory, 'trace': float(trace.group(1)) / done.wall * done.cpu if trace else None, 'missing': missing,
            'error': error if done.status != 0 else '', 'matches': False, 'off': None, 'theirs': None, 'their_seconds': None,
            'their_cpu': None, 'their_memory': None, 'their_trace': None}
     if options.read_only:
