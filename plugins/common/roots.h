@@ -27,4 +27,21 @@ void common_isolate_two(const pov_two *a, double error, int degree, common_brack
 /* The root by Newton's method kept in its bracket, to about 2^-44 of the interval. */
 double common_polish(const double *a, int degree, const common_bracket *root);
 
+/* ---- four quartics side by side ---- */
+
+enum { COMMON_QUARTICS = 4 };
+typedef double common_by_quartic[COMMON_QUARTICS];
+
+/* The sums of a[k] x^k, and which roots are wanted: as common_range with `first`. */
+typedef struct common_quartics { common_by_quartic a[5], error, from, ahead, to; } common_quartics;
+
+/* The first root of each: its bracket, 1 or -1 for rising or falling, and about where it is. found: 1, or 0 if there is none;
+ * open: 1 where common_isolate() is needed to tell. */
+typedef struct common_first_roots { common_by_quartic lo, hi, rise, x, found, open; } common_first_roots;
+
+/* As common_isolate() bit for bit, where that finds a single root. */
+void common_isolate_four(const common_quartics *q, common_first_roots *out);
+/* As common_polish() bit for bit, from x on. */
+void common_polish_four(const common_quartics *q, common_first_roots *io);
+
 #endif

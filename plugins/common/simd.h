@@ -27,6 +27,13 @@
 #define COMMON_CLONES
 #endif
 
+/* Before a loop over a few lanes, which is to become vectors and not first be unrolled. */
+#if defined(__GNUC__) && !defined(__clang__)
+#define COMMON_LOOP _Pragma("GCC unroll 1")
+#else
+#define COMMON_LOOP
+#endif
+
 static inline double common_sum_of_components(pov_vec3 a) { return fabs(a.x) + fabs(a.y) + fabs(a.z); }
 
 /* Origin and direction of a ray in lane `at`. */

@@ -99,16 +99,16 @@ bool common_torus_report(const stretch *s, pov_two t, bool rising, bool escalate
     return pov_cross(hits, at, t.lo * s->ray.unit, mark) && !(hits->want == POV_WANT_NEAREST && at > hits->tmin && hits->count > 0);
 }
 
-/* The part of the stretch that counts, with a margin. The inner sheet of a spindle is no hit. */
+bool common_torus_wants_first(const torus *t, const pov_hits *hits)
+{
+    return hits->want != POV_WANT_ALL && !hits->always_exact && !(t->lens.hi > 0.0);
+}
+
 static common_range wanted_of(const stretch *s, const pov_hits *hits)
 {
     static const common_range all = { -HUGE_VAL, HUGE_VAL, HUGE_VAL, false };
-    const double margin = 0x1p-40 * (1.0 + fabs(s->middle) / s->half), per = s->ray.per_unit;
-    const double start = (hits->tmin * per - s->middle) / s->half;
-    const double end = ((hits->tmax + hits->slack) * per - s->middle) / s->half;
-    const common_range part = { start - margin, start + margin, end + margin, true };
 
-    return hits->want == POV_WANT_ALL || hits->always_exact || s->torus->lens.hi > 0.0 ? all : part;
+    return common_torus_wants_first(s->torus, hits) ? range_of(s, hits->tmin, hits->tmax + hits->slack) : all;
 }
 
 /* Where any crossing will do, does one certainly lie in the interval? Its distance need not be known. */

@@ -117,6 +117,16 @@ typedef struct search {
     common_brackets roots;         /* in x; from here in y */
 } search;
 
+/* The part of the stretch that counts between two distances, with a margin. */
+COMMON_INLINE common_range range_of(const stretch *s, double tmin, double tmax)
+{
+    const double margin = 0x1p-40 * (1.0 + fabs(s->middle) / s->half), per = s->ray.per_unit;
+    const double start = (tmin * per - s->middle) / s->half, end = (tmax * per - s->middle) / s->half;
+    const common_range part = { start - margin, start + margin, end + margin, true };
+
+    return part;
+}
+
 /* The normal points out of the circle in the middle of the tube. Not of unit length. */
 COMMON_INLINE pov_vec3 normal_at(const torus *t, const pov_ray *ray, double at, double at_lo)
 {
@@ -129,6 +139,8 @@ COMMON_INLINE pov_vec3 normal_at(const torus *t, const pov_ray *ray, double at, 
     return pov_vec3_of(p.x.hi * outward, p.y.hi, p.z.hi * outward);
 }
 
+/* Is the first crossing enough? The inner sheet of a spindle is no hit. */
+bool common_torus_wants_first(const torus *t, const pov_hits *hits);
 /* Isolates the roots: those that count, if double does. */
 void common_torus_begin(search *r, bool from_here, pov_hits *hits);
 /* The bracket of a root in x, and where in it the root is about. */

@@ -108,9 +108,8 @@ static void get_search(const stretches *l, uint32_t i, const torus *t, search *o
     out->error = l->error[i];
 }
 
-/* The first crossing of each lane: its bracket, 1 or -1 for rising or falling, where it is about, and its distance if a
- * single step finds it. */
-typedef struct firsts { four lo, hi, rise, x, t, t_lo, good; } firsts;
+/* The first crossing of each lane: its root, and its distance if a single step finds it. */
+typedef struct firsts { common_first_roots root; four t, t_lo, good; } firsts;
 
 /* The first step of common_torus_complete(). */
 COMMON_CLONES static void step_all(const pair_lanes *restrict l, const stretches *restrict from, firsts *restrict io)
@@ -120,7 +119,7 @@ COMMON_CLONES static void step_all(const pair_lanes *restrict l, const stretches
     for (i = 0; i < TOGETHER; i++) {
         const torus t = get_torus(l, i);
         stretch s = get_steps(from, i);
-        const pov_two x = { io->x[i], 0.0 };
+        const pov_two x = { io->root.x[i], 0.0 };
         const pov_two3 p = common_along_dd(&s.ray, distance_at(&s, x));
         const double value = value_at(&t, p).hi;
         double slope, step;
@@ -133,12 +132,86 @@ COMMON_CLONES static void step_all(const pair_lanes *restrict l, const stretches
         at = distance_at(&s, pov_two_add_double(x, step));
         io->t[i] = at.hi;
         io->t_lo[i] = at.lo;
-        io->good[i] = last & (int)(slope * io->rise[i] > 0.0) & (int)(x.hi + step >= io->lo[i]) & (int)(x.hi + step <= io->hi[i]) ? 1.0 : 0.0;
+        io->good[i] = last & (int)(slope * io->root.rise[i] > 0.0) & (int)(x.hi + step >= io->root.lo[i]) &
+                              (int)(x.hi + step <= io->root.hi[i]) ? 1.0 : 0.0;
     }
 }
 
+/* ---- roots ---- */
+
+/* Where each ray ends, and 1 where one root is enough, and the ray does not start on the torus. */
+typedef struct wishes { four tmin, tmax, first; } wishes;
+
+static void find_wishes(const void *const *selves, const pov_ray *const *rays, pov_hits *const *hits, uint32_t n, wishes *out)
+{
+    for (uint32_t i = 0; i < TOGETHER; i++) {
+        const uint32_t k = common_lane_of(i, n);
+
+        out->tmin[i] = hits[k]->tmin;
+        out->tmax[i] = hits[k]->tmax + hits[k]->slack;
+        out->first[i] = common_torus_wants_first(selves[k], hits[k]) && rays[k]->origin_surface != hits[k]->owner ? 1.0 : 0.0;
+    }
+}
+
+COMMON_CLONES static void find_ranges(const stretches *restrict l, const wishes *restrict w, common_quartics *restrict q)
+{
+    for (uint32_t i = 0; i < TOGETHER; i++) {
+        stretch s;
+        common_range range;
+
+        s.middle = l->middle[i];
+        s.half = l->half[i];
+        s.ray.per_unit = l->per_unit[i];
+        range = range_of(&s, w->tmin[i], w->tmax[i]);
+        q->from[i] = range.from;
+        q->ahead[i] = range.ahead;
+        q->to[i] = range.to;
+    }
+}
+
+static common_bracket bracket_of(const common_first_roots *r, uint32_t i)
+{
+    const common_bracket b = { r->lo[i], r->hi[i], 0.0, r->rise[i] > 0.0 };
+
+    return b;
+}
+
+/* Of common_torus_is_blocked(), for a root that is known. */
+static bool is_blocked(const stretches *l, uint32_t i, const common_first_roots *root, pov_hits *hits)
+{
+    static const common_range first = { -HUGE_VAL, -HUGE_VAL, HUGE_VAL, true };
+    const common_bracket b = bracket_of(root, i);
+    stretch s;
+
+    s.middle = l->middle[i];
+    s.half = l->half[i];
+    s.ray.unit = l->unit[i];
+    return hits->want == POV_WANT_ANY && common_torus_is_blocked(&s, &b, first, hits);
+}
+
+/* The first roots of those lanes that want no more. Others are left open. */
+static void find_roots(const stretches *l, const wishes *w, pov_hits *const *hits, uint32_t n, common_first_roots *out)
+{
+    common_quartics q;
+    bool any = false;
+
+    memcpy(q.a, l->a, sizeof q.a);
+    memcpy(q.error, l->error, sizeof q.error);
+    find_ranges(l, w, &q);
+    common_isolate_four(&q, out);
+    for (uint32_t i = 0; i < TOGETHER; i++) {
+        const bool counts = i < n && l->reaches[i] > 0.0 && w->first[i] > 0.0;
+
+        out->open[i] = counts ? out->open[i] : 1.0;
+        out->found[i] = counts && out->found[i] > 0.0 && !is_blocked(l, i, out, hits[i]) ? 1.0 : 0.0;
+        any = any || out->found[i] > 0.0;
+    }
+    if (any)
+        common_polish_four(&q, out);
+}
+
 /* Puts the first root of a search into its lane. False: there is nothing to be done. */
-static bool put_first(const search *r, uint32_t i, firsts *out, pov_hits *hits)
+static bool put_first(const search *r, uint32_t i, common_first_roots *out, pov_hits *hits)
 {
     common_bracket x;
 
@@ -154,14 +227,14 @@ static bool put_first(const search *r, uint32_t i, firsts *out, pov_hits *hits)
     return true;
 }
 
-static void end_first(const search *r, uint32_t i, const firsts *at, pov_hits *hits)
+/* True: more crossings are wanted. */
+static bool end_first(const stretch *s, uint32_t i, const firsts *at, bool escalated, pov_hits *hits)
 {
-    const common_bracket x = { at->lo[i], at->hi[i], 0.0, r->roots.at[0].rising };
+    const common_bracket x = bracket_of(&at->root, i);
     const pov_two t = at->good[i] > 0.0 ? pov_two_of(at->t[i], at->t_lo[i])
-                                        : distance_at(&r->s, common_torus_complete(&r->s, at->x[i], &x));
+                                        : distance_at(s, common_torus_complete(s, at->root.x[i], &x));
 
-    if (common_torus_report(&r->s, t, x.rising, r->escalated, hits))
-        common_torus_finish(r, 1, hits);
+    return common_torus_report(s, t, x.rising, escalated, hits);
 }
 
 static void load(pair_lanes *out, const void *const *selves, const pov_ray *const *rays, uint32_t n)
@@ -173,31 +246,49 @@ static void load(pair_lanes *out, const void *const *selves, const pov_ray *cons
     common_put_four_of(&out->rays, 0, rays, n);
 }
 
+/* Lanes that are open are searched one by one. Returns those of them that have a root. */
+static uint32_t search_open(const void *const *selves, const pov_ray *const *rays, pov_hits *const *hits, uint32_t n,
+                            const stretches *all, common_first_roots *io, search *found)
+{
+    uint32_t searched = 0;
+
+    for (uint32_t i = 0; i < n; i++) {
+        if (!(all->reaches[i] > 0.0 && io->open[i] > 0.0))
+            continue;
+        get_search(all, i, selves[i], &found[i]);
+        common_torus_begin(&found[i], rays[i]->origin_surface == hits[i]->owner, hits[i]);
+        searched |= put_first(&found[i], i, io, hits[i]) ? 1u << i : 0;
+    }
+    return searched;
+}
+
 static void intersect_four(const void *const *selves, const pov_ray *const *rays, pov_hits *const *hits, uint32_t n)
 {
-    static const firsts none;
     search found[TOGETHER];
-    bool open[TOGETHER] = { false };
+    uint32_t searched, direct = 0;
     pair_lanes lanes;
     stretches all;
-    firsts first = none;
-    bool any = false;
+    wishes wants;
+    firsts first;
 
     load(&lanes, selves, rays, n);
     find_stretches(&lanes, &all);
-    for (uint32_t i = 0; i < n; i++) {
-        if (!(all.reaches[i] > 0.0))
-            continue;
-        get_search(&all, i, selves[i], &found[i]);
-        common_torus_begin(&found[i], rays[i]->origin_surface == hits[i]->owner, hits[i]);
-        open[i] = put_first(&found[i], i, &first, hits[i]);
-        any = any || open[i];
-    }
-    if (any)
+    find_wishes(selves, rays, hits, n, &wants);
+    find_roots(&all, &wants, hits, n, &first.root);
+    searched = search_open(selves, rays, hits, n, &all, &first.root, found);
+    for (uint32_t i = 0; i < n; i++)
+        direct |= first.root.found[i] > 0.0 ? 1u << i : 0;
+    if (searched | direct)
         step_all(&lanes, &all, &first);
     for (uint32_t i = 0; i < n; i++)
-        if (open[i])
-            end_first(&found[i], i, &first, hits[i]);
+        if (direct >> i & 1) {
+            stretch s = get_steps(&all, i);
+
+            s.torus = selves[i];
+            end_first(&s, i, &first, false, hits[i]);
+        } else if ((searched >> i & 1) && end_first(&found[i].s, i, &first, found[i].escalated, hits[i])) {
+            common_torus_finish(&found[i], 1, hits[i]);
+        }
 }
 
 void common_torus_intersect_many(const void *const *selves, const pov_ray *const *rays, pov_hits *const *hits, uint32_t n)
