@@ -37,18 +37,25 @@ static bool box_of_all(const extents *x, const csg_node *n, pov_box *out)
     return true;
 }
 
-/* Collect the half-spaces that an intersection is part of. */
-static void find_half_spaces(const extents *x, const csg_node *n, half_spaces *out)
+typedef void half_space_sink(void *to, const pov_half_space *one, bool complement, uint32_t member);
+
+/* Tell of the half-spaces that an intersection is part of. */
+static void find_half_spaces(const extents *x, const csg_node *n, half_space_sink *take, void *to)
 {
     for (uint32_t i = 0; i < n->child_count; i++) {
         const node_ref child = x->tree->children[n->child + i];
         const csg_node *below = &x->tree->nodes[child & ~NODE_GROUP];
 
         if (!(child & NODE_GROUP) && x->of[child].is_half_space)
-            half_spaces_add(out, &x->of[child].half_space, x->tree->members[child].inverse, child);
+            take(to, &x->of[child].half_space, x->tree->members[child].inverse, child);
         else if ((child & NODE_GROUP) && below->op == NODE_INTERSECTION && !below->inverse)
-            find_half_spaces(x, below, out);
+            find_half_spaces(x, below, take, to);
     }
+}
+
+static void take_some(void *to, const pov_half_space *one, bool complement, uint32_t member)
+{
+    half_spaces_add(to, one, complement, member);
 }
 
 /* Add what holds the infinite members of an intersection within the half-spaces. */
@@ -73,7 +80,7 @@ static bool cut_by_infinite(const extents *x, const csg_node *n, bool boxed, pov
     half_spaces all = { 0 };
     pov_box b;
 
-    find_half_spaces(x, n, &all);
+    find_half_spaces(x, n, take_some, &all);
     if (boxed && all.count > 0)
         half_spaces_add_box(&all, box);
     if (!boxed)
@@ -221,22 +228,26 @@ static void find_few(csg_tree *t, uint32_t count)
     t->few.count = count;
 }
 
+static void take_cut(void *to, const pov_half_space *one, bool complement, uint32_t member)
+{
+    csg_tree *t = to;
+    half_spaces same = { 0 };
+
+    half_spaces_add(&same, one, complement, member);
+    t->cuts[t->cut_count++] = (csg_cut){ .within = same.of[0], .member = member };
+}
+
 /* False: no memory. */
 static bool keep_cuts(csg_tree *t, const env *e, const csg_extent *of)
 {
     const extents x = { t, NULL, of };
-    half_spaces all = { 0 };
 
     if (!t->boxed || t->nodes[0].op != NODE_INTERSECTION || t->nodes[0].inverse)
         return true;
-    find_half_spaces(&x, &t->nodes[0], &all);
-    t->cuts = all.count > 0 ? env_resize(e, NULL, all.count, sizeof *t->cuts) : NULL;
-    t->cut_count = t->cuts ? all.count : 0;
-    for (uint32_t i = 0; i < t->cut_count; i++) {
-        t->cuts[i].within = all.of[i];
-        t->cuts[i].member = all.id[i];
-    }
-    return t->cuts || all.count == 0;
+    t->cuts = env_resize(e, NULL, t->member_count, sizeof *t->cuts);
+    if (t->cuts)
+        find_half_spaces(&x, &t->nodes[0], take_cut, t);
+    return t->cuts;
 }
 
 static bool is_cut(const csg_tree *t, uint32_t member)

@@ -128,17 +128,21 @@ static cut_crossing cross(const csg_traversal *w, const pov_half_space *h)
     return c;
 }
 
+static void narrow_by(const csg_traversal *w, const csg_cut *cut, double *enter, double *leave)
+{
+    const cut_crossing at = cross(w, &cut->within);
+
+    if (at.slope < 0.0)
+        *enter = fmax(*enter, at.t - at.off);
+    else if (at.slope > 0.0)
+        *leave = fmin(*leave, at.t + at.off);
+}
+
 /* May the ray be within all of them between these distances? */
 static bool hits_cuts(const csg_traversal *w, double enter, double leave)
 {
-    for (uint32_t i = 0; i < w->tree->cut_count && enter <= leave; i++) {
-        const cut_crossing c = cross(w, &w->tree->cuts[i].within);
-
-        if (c.slope < 0.0)
-            enter = fmax(enter, c.t - c.off);
-        else if (c.slope > 0.0)
-            leave = fmin(leave, c.t + c.off);
-    }
+    for (uint32_t i = 0; i < w->tree->cut_count && enter <= leave; i++)
+        narrow_by(w, &w->tree->cuts[i], &enter, &leave);
     return enter <= leave;
 }
 
@@ -388,21 +392,18 @@ static void hold(csg_traversal *w, uint32_t member)
 static void test_cuts(csg_traversal *w)
 {
     const csg_tree *t = w->tree;
-    cut_crossing at[HALF_SPACES_MAX];
     double enter = w->enter, leave = w->leave;
 
-    for (uint32_t i = 0; i < t->cut_count; i++) {
-        at[i] = cross(w, &t->cuts[i].within);
-        if (at[i].slope < 0.0)
-            enter = fmax(enter, at[i].t - at[i].off);
-        else if (at[i].slope > 0.0)
-            leave = fmin(leave, at[i].t + at[i].off);
-    }
     for (uint32_t i = 0; i < t->cut_count; i++)
-        if (at[i].slope < 0.0 ? at[i].t + at[i].off < enter : at[i].slope > 0.0 && at[i].t - at[i].off > leave)
+        narrow_by(w, &t->cuts[i], &enter, &leave);
+    for (uint32_t i = 0; i < t->cut_count; i++) {
+        const cut_crossing at = cross(w, &t->cuts[i].within);
+
+        if (at.slope < 0.0 ? at.t + at.off < enter : at.slope > 0.0 && at.t - at.off > leave)
             hold(w, t->cuts[i].member);
         else
-            test_member(w, t->cuts[i].member, &at[i]);
+            test_member(w, t->cuts[i].member, &at);
+    }
 }
 
 /* ---- in order ---- */

@@ -112,6 +112,55 @@ static shape_class below_class(void)
     return c;
 }
 
+/* ---- half-spaces that count how often they are asked ---- */
+
+static int face_asked;
+
+static void face_intersect(const void *self, const pov_ray *ray, pov_hits *hits)
+{
+    const pov_half_space *h = self;
+    const pov_mark mark = { 0, 0, 0.0, 0.0 };
+    const double slope = pov_dot(h->normal, ray->dir);
+
+    face_asked++;
+    if (slope != 0.0 && ray->origin_surface != hits->owner)
+        pov_cross(hits, (h->distance - pov_dot(h->normal, ray->org)) / slope, 0.0, mark);
+}
+
+static void face_normal(const void *self, const pov_ray *ray, const pov_crossing *at, pov_vec3 *out)
+{
+    (void)ray;
+    (void)at;
+    *out = ((const pov_half_space *)self)->normal;
+}
+
+static bool face_inside(const void *self, pov_vec3 p, pov_vec3 lo)
+{
+    const pov_half_space *h = self;
+
+    (void)lo;
+    return pov_dot(h->normal, p) < h->distance;
+}
+
+static bool face_half_space(const void *self, pov_half_space *out)
+{
+    *out = *(const pov_half_space *)self;
+    return true;
+}
+
+static shape_class face_class(void)
+{
+    shape_class c = test_ground_class;
+
+    c.keyword = "face";
+    c.instance_size = sizeof(pov_half_space);
+    c.intersect = face_intersect;
+    c.normal = face_normal;
+    c.inside = face_inside;
+    c.half_space = face_half_space;
+    return c;
+}
+
 /* ---- what is there ---- */
 
 /* The sphere of radius 2 about 0 without the sphere of radius 1 about (0, 0, -1.5): along z from -0.5 to 2. */
@@ -781,6 +830,46 @@ static void its_leaves_are_one_object(void **state)
     end(&s);
 }
 
+/* Of a polyhedron of many faces a ray asks those only that it may enter or leave by. */
+static void of_many_faces_few_are_asked(void **state)
+{
+    enum { FACES = 60 };
+    const shape_class face = face_class();
+    test_random r = { 7 };
+    node_ref leaves[FACES];
+    pov_half_space faces[FACES];
+    scene s;
+    hit h;
+
+    (void)state;
+    begin(&s);
+    for (int i = 0; i < FACES; i++) {
+        faces[i] = (pov_half_space){ test_direction(&r), 1.0 };
+        leaves[i] = test_add(&s.model, &face, &faces[i], NULL, 0, 0);
+    }
+    assert_true(model_add_tree(&s.model, group(&s.model, NODE_INTERSECTION, false, leaves, FACES)));
+    compile(&s, POV_ACCEL_TREE);
+    for (int n = 0; n < 1000; n++) {
+        const pov_vec3 from = pov_scale(test_direction(&r), 5.0);
+        const pov_vec3 to = pov_scale(test_direction(&r), test_uniform(&r, 0.0, 1.1));
+        const pov_ray ray = ray_from(from, pov_sub(to, from));
+        double enter = 0.0, leave = HUGE_VAL;
+
+        for (int i = 0; i < FACES; i++) {
+            const double slope = pov_dot(faces[i].normal, ray.dir);
+            const double t = (1.0 - pov_dot(faces[i].normal, from)) / slope;
+
+            enter = slope < 0.0 ? fmax(enter, t) : enter;
+            leave = slope > 0.0 ? fmin(leave, t) : leave;
+        }
+        face_asked = 0;
+        assert_int_equal(test_nearest(s.world, s.context, &ray, HUGE_VAL, &h), enter < leave);
+        assert_true(enter >= leave || h.crossing.t == (enter > 0.0 ? enter : leave));
+        assert_true(face_asked <= 8);
+    }
+    end(&s);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -806,6 +895,7 @@ int main(void)
         cmocka_unit_test(light_ends_at_what_is_opaque),
         cmocka_unit_test(leaves_are_plain_and_trees_are_not),
         cmocka_unit_test(its_leaves_are_one_object),
+        cmocka_unit_test(of_many_faces_few_are_asked),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
