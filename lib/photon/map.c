@@ -262,13 +262,6 @@ void photon_map_free(photon_map *m, const env *e)
 
 /* ---- queries ---- */
 
-double photon_view_spacing(const photon_view *v, pov_vec3 at)
-{
-    const pov_vec3 d = pov_sub(at, v->from);
-
-    return v->width + v->slope * sqrt(pov_dot(d, d));
-}
-
 /* Does the box, wider by `more` on all sides, hold the point? */
 static inline bool holds(const pov_box *b, pov_vec3 p, double more)
 {
@@ -322,6 +315,62 @@ void photon_map_find(const photon_map *m, pov_vec3 at, pov_vec3 normal, double l
             continue;
         }
         for (held = n->count > 0 ? try_photons(block_of(m, n), at, normal, least, by, density) : 0; held; held &= held - 1)
+            visit(user, &m->photons[n->first + first_of(held)], (float)density[first_of(held)]);
+        i++;
+    }
+}
+
+/* ---- cells ---- */
+
+/* The same for photons that are seen in a cell. */
+SIMD_CLONES static uint32_t count_photons(const photon_block *restrict b, pov_vec3 at, pov_vec3 normal, const photon_cell *restrict cell,
+                                          double *restrict density)
+{
+    const photon_screen s = *cell->screen;
+    const double x0 = cell->lo[0], x1 = cell->hi[0], y0 = cell->lo[1], y1 = cell->hi[1];
+    const double least = cell->spacing * cell->spacing, per_area = 1.0 / ((x1 - x0) * (y1 - y0));
+    const double highest = most_above * most_above;
+    uint32_t held = 0;
+
+    for (int i = 0; i < PHOTON_LANES; i++) {
+        const double x = b->at[0][i] - at.x, y = b->at[1][i] - at.y, z = b->at[2][i] - at.z;
+        const double nx = (double)b->normal[0][i], ny = (double)b->normal[1][i], nz = (double)b->normal[2][i];
+        const double above = x * normal.x + y * normal.y + z * normal.z, alike = normal.x * nx + normal.y * ny + normal.z * nz;
+        const double square = x * x + y * y + z * z, wide = greater(square, least);
+        const double dx = b->at[0][i] - s.from.x, dy = b->at[1][i] - s.from.y, dz = b->at[2][i] - s.from.z;
+        const double depth = s.row[2].x * dx + s.row[2].y * dy + s.row[2].z * dz + s.one, by = 1.0 / depth;
+        const double u = (s.row[0].x * dx + s.row[0].y * dy + s.row[0].z * dz) * by;
+        const double v = (s.row[1].x * dx + s.row[1].y * dy + s.row[1].z * dz) * by;
+        const double kx = s.across[2].x + u * s.across[0].x + v * s.across[1].x;
+        const double ky = s.across[2].y + u * s.across[0].y + v * s.across[1].y;
+        const double kz = s.across[2].z + u * s.across[0].z + v * s.across[1].z;
+        const double area = fabs(nx * kx + ny * ky + nz * kz) * by * by;
+
+        density[i] = (depth > 0.0) & (u >= x0) & (u < x1) & (v >= y0) & (v < y1) & (fabs(alike) > least_alike) &
+                     (above * above < highest * wide) ? area * per_area : 0.0;
+    }
+    for (int i = 0; i < PHOTON_LANES; i++)
+        held |= (uint32_t)(density[i] != 0.0) << i;
+    return held;
+}
+
+void photon_map_count(const photon_map *m, pov_vec3 at, pov_vec3 normal, const photon_cell *cell, photon_visit *visit, void *user)
+{
+    const factor by = factor_of(m);
+    double density[PHOTON_LANES];
+
+    for (uint32_t i = 0, held = 0; i < m->node_count;) {
+        const photon_node *n = &m->nodes[i];
+
+        if (!holds(&n->box, at, cell->reach)) {
+            i = n->skip;
+            continue;
+        }
+        if (n->count > 0 && block_of(m, n)->radius < cell->spacing)
+            held = count_photons(block_of(m, n), at, normal, cell, density);
+        else if (n->count > 0)
+            held = try_photons(block_of(m, n), at, normal, 0.0, by, density);
+        for (; held; held &= held - 1)
             visit(user, &m->photons[n->first + first_of(held)], (float)density[first_of(held)]);
         i++;
     }

@@ -9,8 +9,7 @@
 #include "base/env.h"
 #include "base/simd.h"
 #include "model/colour.h"
-
-#include <povtrace/math.h>
+#include "photon/view.h"
 
 typedef struct photon {
     pov_vec3 at;
@@ -51,16 +50,14 @@ typedef struct photon_map {
 bool photon_map_make(photon_map *out, const env *e, photon *photons, uint32_t count, uint32_t nearest,
                      photon_kernel kernel);
 void photon_map_free(photon_map *m, const env *e);
-/* The least radius of a disc, where what the samples of a pixel see is seen straight: `width` at `from`, and by `slope` more for
- * each unit of distance. A disc smaller than samples lie apart would be met by chance, with much light, or not at all: no
- * number of samples that miss it tells of it. */
-typedef struct photon_view { pov_vec3 from; double width, slope; } photon_view;
-double photon_view_spacing(const photon_view *v, pov_vec3 at);
 /* Call visit for each photon whose disc holds a point of a surface with this normal on either side, with the light that
  * it brings there per area: its flux times `density`. Smaller discs count as of the radius `least`. The order is that of
  * the map. */
 typedef void photon_visit(void *user, const photon *p, float density);
 void photon_map_find(const photon_map *m, pov_vec3 at, pov_vec3 normal, double least, photon_visit *visit, void *user);
+/* The same for the mean over a cell of the screen: photons whose discs are smaller than a pixel count if they are seen in
+ * the cell, and no others of the kind. */
+void photon_map_count(const photon_map *m, pov_vec3 at, pov_vec3 normal, const photon_cell *cell, photon_visit *visit, void *user);
 /* The same of photons in media for those that a ray passes within their radius, on its first `length`: direction unit.
  * Theirs is light times the length of way that they stand for, and comes per area across the ray. `at`: how far along the
  * ray the photon is. The least radius is `least` at the start, and grows by `slope` along the ray. */

@@ -4,6 +4,7 @@
 #include "render/camera.h"
 #include "render/lens.h"
 #include "shade/camera_normal.h"
+#include "shade/photon_light.h"
 
 pov_ray raygen_ray(const pov_camera *camera, int width, int height, int x, int y, double dx, double dy)
 {
@@ -90,6 +91,18 @@ void raygen_apart(const pov_camera *camera, int width, int height, double *start
     *slope = fmin(slopes[0], slopes[1]);
     if (camera->type == POV_CAMERA_MESH || !isfinite(*start + *slope))
         *start = *slope = 0.0;
+}
+
+bool raygen_flat(const pov_camera *camera, int width, int height, struct photon_screen *out)
+{
+    const raygen_screen corners = { .u = { -0.5, 0.5, -0.5 }, .v = { 0.5, 0.5, -0.5 }, .width = width, .height = height };
+    pov_ray rays[3];
+
+    if ((camera->type != POV_CAMERA_PERSPECTIVE && camera->type != POV_CAMERA_ORTHOGRAPHIC) || raygen_has_lens(camera))
+        return false;
+    raygen_begin(camera, rays, 3);
+    raygen_aim(camera, &corners, 3, rays);
+    return photon_screen_make(out, rays, width, height);
 }
 
 unsigned raygen_aim(const pov_camera *camera, const raygen_screen *through, uint32_t n, pov_ray *rays)

@@ -43,6 +43,10 @@ void raygen_place(const raygen_places *p, int width, int height, uint32_t n, ray
  * unit of their length: the lesser of beside and below each other. 0: nothing is known. */
 void raygen_apart(const pov_camera *camera, int width, int height, double *start, double *slope);
 
+struct photon_screen;
+/* The camera's screen. False: lines through the scene are no lines there, or the camera has a lens. */
+bool raygen_flat(const pov_camera *camera, int width, int height, struct photon_screen *out);
+
 /* Rays that start at the camera, without directions. */
 void raygen_begin(const pov_camera *camera, pov_ray *rays, uint32_t n);
 /* Set the starts and directions of such rays, as the camera's type has them; n <= RAYGEN_MANY. Returns their known properties, as tracer_colors()

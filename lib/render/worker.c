@@ -161,14 +161,20 @@ static void trace_block(worker *w, packet *together, const settings *s, const mi
         trace_packet(w, s, together);
 }
 
+/* A picture of one sample a pixel shows the light in the middles of pixels, and not that of whole pixels. */
 void worker_set_pixel(worker *w, const settings *s)
 {
+    const pov_camera *camera = &w->claim.camera;
+    const model *m = w->job->scene->model;
     double start, slope;
+    photon_screen screen;
+    bool known;
 
     if (!w->job->scene->plan->photons)
         return;
-    raygen_apart(&w->claim.camera, s->width, s->height, &start, &slope);
-    tracer_set_pixel(w->tracer, start, slope, s->seed);
+    raygen_apart(camera, s->width, s->height, &start, &slope);
+    known = s->sampling && !m->camera_normal && raygen_flat(camera, s->width, s->height, &screen);
+    tracer_set_pixel(w->tracer, start, slope, known ? &screen : NULL, s->seed);
 }
 
 bool worker_trace(worker *w, const settings *s)

@@ -252,7 +252,7 @@ static void add_photon(void *user, const photon *p, double at, float density)
 static colour gather_photons(const photon_map *map, const photon_view *view, const media_march *march)
 {
     const media_segment *on = &march->on;
-    const photon_ray ray = { on->from, on->dir, on->length, photon_view_spacing(view, on->from), view->slope };
+    const photon_ray ray = { on->from, on->dir, on->length, view->least * photon_view_spacing(view, on->from), view->least * view->slope };
     lit_photons g;
 
     g.march = march;

@@ -1,5 +1,18 @@
 #include "shade/photon_light.h"
 
+/* The photons that light a surface: where the camera sees it straight, those of a cell of the pixel. */
+static void find(const photon_map *map, const photon_view *view, const surfaces *on, uint32_t i, photon_visit *visit, void *user)
+{
+    const path *from = on->at[i].from;
+    const pov_vec3 at = lanes_at(&on->geometry.to.point, i), normal = lanes_at(&on->geometry.to.normal, i);
+    photon_cell cell;
+
+    if (!from->mirrored && from->gathers == 0 && photon_view_cell(view, at, normal, &cell))
+        photon_map_count(map, at, normal, &cell, visit, user);
+    else
+        photon_map_find(map, at, normal, view->least * photon_view_spacing(view, at), visit, user);
+}
+
 /* ---- surfaces without highlights ---- */
 
 /* Their light from all directions is the same. */
@@ -20,13 +33,13 @@ static void add_plain(void *user, const photon *p, float density)
 
 static bool is_plain(const appearance *a) { return a->kinds == 0 && a->phong == 0.0f; }
 
-static colour light_plain(const photon_map *map, double least, const surfaces *on, uint32_t i)
+static colour light_plain(const photon_map *map, const photon_view *view, const surfaces *on, uint32_t i)
 {
     const geometry *g = &on->geometry;
     const appearance *a = on->at[i].appearance;
     plain_sum s = { lanes_at(g->shading, i), { 0.0f, 0.0f, 0.0f } };
 
-    photon_map_find(map, lanes_at(&g->to.point, i), lanes_at(&g->to.normal, i), least, add_plain, &s);
+    find(map, view, on, i, add_plain, &s);
     return colour_scale(colour_mul(s.sum, a->pigment), a->diffuse_weight);
 }
 
@@ -96,13 +109,12 @@ static void add_lane(void *user, const photon *p, float density)
         light_lanes_once(l, of->model);
 }
 
-static colour light_rich(photon_lanes *l, const model *m, const photon_map *map, double least, const surfaces *on, uint32_t i)
+static colour light_rich(photon_lanes *l, const model *m, const photon_map *map, const photon_view *view, const surfaces *on, uint32_t i)
 {
-    const geometry *g = &on->geometry;
     lanes_of of = { l, m };
 
     repeat(l, m, on, i);
-    photon_map_find(map, lanes_at(&g->to.point, i), lanes_at(&g->to.normal, i), least, add_lane, &of);
+    find(map, view, on, i, add_lane, &of);
     if (l->count > 0)
         light_lanes_once(l, m);
     return l->sum;
@@ -116,13 +128,12 @@ void photon_light_add(photon_work *w, const shade_context *c, const finishes *li
         const uint32_t i = lit->lit[k];
         surface *s = &on->at[i];
         const photon_map *map = &w->maps[s->from->lane]->of[PHOTON_ON];
-        double least;
+        const photon_view *view = &w->views[s->from->lane];
         colour given;
 
         if (map->node_count == 0 || (model_leaf(m, s->at->object)->flags & PHOTON_IGNORES))
             continue;
-        least = photon_view_spacing(&w->views[s->from->lane], lanes_at(&on->geometry.to.point, i));
-        given = is_plain(s->appearance) ? light_plain(map, least, on, i) : light_rich(&w->lanes, m, map, least, on, i);
+        given = is_plain(s->appearance) ? light_plain(map, view, on, i) : light_rich(&w->lanes, m, map, view, on, i);
         s->lit = colour_add(s->lit, given);
     }
 }

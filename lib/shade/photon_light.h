@@ -22,7 +22,8 @@ typedef struct photon_work {
     const photon_maps *known[PHOTON_MAPS];   /* its maps that were asked for */
     const photon_maps *maps[BATCH_MAX];      /* by lane of the camera ray */
     photon_view views[BATCH_MAX];            /* the same */
-    double width, slope;                     /* of a pixel: as of a view of one sample */
+    photon_screen screen;                    /* of the camera, if it has one */
+    bool on_screen;
     photon_lanes lanes;
 } photon_work;
 

@@ -320,25 +320,17 @@ static bool is_wanted(void *tracer)
     return !interrupt_is_due(&t->context.interrupt, BATCH_MAX);
 }
 
-/* No disc has a radius below a part of a pixel's size that falls with the fourth root of m, the samples so far of the pixel's half
- * (docs/light.md): so the later, the more of them meet it, however much light it holds. Of a pixel's first sample in each
- * half that would blur more than it helps. */
-static const double least_disc = 0.6;
-
-static photon_view view_of(const photon_work *w, const pov_ray *ray, uint32_t number)
-{
-    const double by = number < 2 ? 0.0 : least_disc / sqrt(sqrt((double)(number / 2) + 1.0));
-    const photon_view v = { ray->org, by * w->width, by * w->slope };
-
-    return v;
-}
-
-void tracer_set_pixel(pov_tracer *t, double width, double slope, uint32_t seed)
+void tracer_set_pixel(pov_tracer *t, double width, double slope, const photon_screen *screen, uint32_t seed)
 {
     if (!t->photons)
         return;
-    t->photons->width = width;
-    t->photons->slope = slope;
+    for (uint32_t i = 0; i < BATCH_MAX; i++) {
+        t->photons->views[i].width = width;
+        t->photons->views[i].slope = slope;
+    }
+    t->photons->on_screen = screen != NULL;
+    if (screen)
+        t->photons->screen = *screen;
     if (seed != t->photons->seed_number)
         let_go(t);
     t->photons->seed_number = seed;
@@ -371,7 +363,7 @@ static bool take_maps(pov_tracer *t, const pov_ray *rays, uint32_t n)
             return false;
         }
         w->maps[i] = w->known[number];
-        w->views[i] = view_of(w, &rays[i], c->samples[i].number);
+        photon_view_begin(&w->views[i], w->on_screen ? &w->screen : NULL, &rays[i], c->samples[i].number);
     }
     c->photons = w->maps;
     c->views = w->views;

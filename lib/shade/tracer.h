@@ -42,8 +42,8 @@ void tracer_colors(pov_tracer *t, const pov_ray *rays, uint32_t n, unsigned know
 /* Begin paths of n valid rays that carry these colours: photons. */
 void tracer_begin(pov_tracer *t, const pov_ray *rays, uint32_t n, const colour *carried);
 /* For photons: how far apart rays of neighbouring pixels start, how much farther apart they are for each unit of their length,
- * and the seed. All are 0 before. */
-void tracer_set_pixel(pov_tracer *t, double width, double slope, uint32_t seed);
+ * the screen or NULL, and the seed. All are 0 before. */
+void tracer_set_pixel(pov_tracer *t, double width, double slope, const struct photon_screen *screen, uint32_t seed);
 /* What a tracer that failed has to say. */
 pov_status tracer_error(const pov_tracer *t, pov_error *err);
 /* Counts since the tracer was made, including those of its queries. */

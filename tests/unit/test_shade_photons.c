@@ -305,8 +305,8 @@ static void the_number_of_threads_changes_no_bit(void **state)
 
 enum { SEEDS = 12, COLUMNS = 32, ROWS = 24, PIECES = COLUMNS * ROWS };
 
-/* The red of a picture of two samples a pixel; returns the error that is told. */
-static double draw_piece(const pov_scene *scene, uint32_t seed, double *red)
+/* The red of a picture of so many samples a pixel; returns the error that is told. */
+static double draw_piece(const pov_scene *scene, int samples, uint32_t seed, double *red)
 {
     pov_render_desc desc = POV_INIT(desc);
     pov_pass row = POV_INIT(row);
@@ -316,7 +316,7 @@ static double draw_piece(const pov_scene *scene, uint32_t seed, double *red)
 
     desc.width = COLUMNS;
     desc.height = ROWS;
-    desc.samples = 2;
+    desc.samples = samples;
     desc.seed = seed;
     assert_int_equal(pov_job_create(&job, scene, &desc, NULL), POV_OK);
     assert_int_equal(pov_job_start(job, NULL), POV_OK);
@@ -340,7 +340,7 @@ static void each_seed_has_photons_of_its_own_and_the_error_tells_it(void **state
 
     (void)state;
     for (int k = 0; k < SEEDS; k++)
-        told += pow(draw_piece(scene, (uint32_t)k, red[k]), 2.0) / SEEDS;
+        told += pow(draw_piece(scene, 2, (uint32_t)k, red[k]), 2.0) / SEEDS;
     for (int i = 0; i < PIECES; i++) {
         double mean = 0.0;
 
@@ -353,6 +353,43 @@ static void each_seed_has_photons_of_its_own_and_the_error_tells_it(void **state
     pov_context_destroy(context);
     if (!(told > 0.64 * square && told < 1.5625 * square))
         fail_msg("told %g, found %g", sqrt(told), sqrt(square));
+}
+
+/* The middle of the caustic, where the light of a ring gathers in a point within a pixel, and its square has no finite mean. */
+#define MIDDLE \
+    "#version 3.7; global_settings { assumed_gamma 1 photons { max_trace_level 8 } }" \
+    "camera { %s z right x*1.9 up y*1.425 }" \
+    "box { <-9,-9,2>, <9,9,3> pigment { rgb 1 } finish { ambient 0 diffuse .8 } }" GLASS "light_source { <0,0,-8> rgb .01 }"
+
+static void no_chance_decides_where_light_gathers(const char *camera)
+{
+    static double red[SEEDS][PIECES];
+    pov_context *context = scenes_context();
+    pov_scene *scene;
+    double mean = 0.0;
+    char text[2000];
+    size_t brightest = 0;
+
+    snprintf(text, sizeof text, MIDDLE, camera);
+    scene = scenes_text(context, text);
+    for (int k = 0; k < 4; k++)
+        draw_piece(scene, 2, (uint32_t)k, red[k]);
+    for (size_t i = 0; i < PIECES; i++)
+        brightest = red[0][i] > red[0][brightest] ? i : brightest;
+    for (int k = 0; k < 4; k++)
+        mean += red[k][brightest] / 4;
+    for (int k = 0; k < 4; k++)
+        if (!(fabs(red[k][brightest] - mean) < 0.02 * mean))
+            fail_msg("%s: seed %d has %g where the mean is %g", camera, k, red[k][brightest], mean);
+    pov_scene_destroy(scene);
+    pov_context_destroy(context);
+}
+
+static void where_light_gathers_in_a_point_a_pixel_counts_photons(void **state)
+{
+    (void)state;
+    no_chance_decides_where_light_gathers("orthographic location <.017,.023,1.5> direction");
+    no_chance_decides_where_light_gathers("location <.017,.023,1.1> direction");
 }
 
 int main(void)
@@ -370,6 +407,7 @@ int main(void)
         cmocka_unit_test(without_the_setting_media_behind_a_target_are_dark),
         cmocka_unit_test(the_number_of_threads_changes_no_bit),
         cmocka_unit_test(each_seed_has_photons_of_its_own_and_the_error_tells_it),
+        cmocka_unit_test(where_light_gathers_in_a_point_a_pixel_counts_photons),
     };
 
     return cmocka_run_group_tests(tests, NULL, NULL);
