@@ -18,7 +18,7 @@ $(BUILD)/tests/$(1)%: $(BUILD)/obj/$(1)tests/%.o $(SUPPORT_SOURCES:%.c=$(BUILD)/
 	$$(call say,LINK,$$@) $$(CC) $$(LINK_FLAGS) $$(filter %.o,$$^) $$(filter %.a,$$^) -lcmocka $$(TEST_LIBS) $$(SYSTEM_LIBS) -o $$@
 
 $(BUILD)/tests/$(1)numerics/%: TEST_LIBS = -lmpfr -lgmp
-$(addprefix $(BUILD)/tests/$(1)numerics/test_,primitives leaving maps watertight csg csg_outline torus_filter findings piecewise facets strokes outlines): \
+$(addprefix $(BUILD)/tests/$(1)numerics/test_,primitives leaving maps watertight csg csg_outline narrow findings piecewise facets strokes outlines): \
     $(patsubst %,$(BUILD)/obj/$(1)tests/numerics/%.o,real probe exact exact_torus families families_round) | $(PRIMITIVES)
 $(addprefix $(BUILD)/tests/$(1)numerics/test_,primitives leaving findings): $(BUILD)/obj/$(1)tests/numerics/leaving.o
 $(addprefix $(BUILD)/tests/$(1)numerics/test_,maps findings): $(BUILD)/obj/$(1)tests/numerics/real_map.o

@@ -175,6 +175,9 @@ static uint64_t take_class(packet *p, const shape_class *shape, uint64_t left, p
         }
         hits = hits_of(p, i);
         hits->owner = d->batch->object[d->lane];
+        /* The shape need not look beyond where something is known to be hit. */
+        if (p->traversal.soa.tmax[i] < hits->tmax)
+            hits->tmax = p->traversal.soa.tmax[i];
         p->context->hit_buffers[p->of[i]].csg.note = d->note;
         pairs_put(out, leaf_batch_instance(d->batch, d->lane), ray, hits);
     }

@@ -59,10 +59,10 @@ static bool ask_some(packet *p, uint32_t i, const leaf_batch *r, uint32_t mask)
     return ended;
 }
 
-/* Does it definitely block light? The filter does not know the root that a ray starts on. */
+/* Does it definitely block light? Of filters only narrow() knows the root that a ray starts on. */
 static inline bool is_blocked(const leaf_batch *r, const pov_candidate *m, uint32_t blocking, const pov_ray *ray)
 {
-    return m->definite && (blocking >> m->lane & 1) && r->object[m->lane] != ray->origin_surface;
+    return m->definite && (blocking >> m->lane & 1) && (r->object[m->lane] != ray->origin_surface || r->shape->narrow);
 }
 
 /* Must a possible hit of a block be intersected? Its ray's hits are initialised then. */

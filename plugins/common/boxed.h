@@ -19,7 +19,10 @@ void common_boxed_intersect_many(size_t boxed_at, common_cross_entry *cross, con
                                  pov_hits *const *hits, uint32_t n);
 
 /* A class whose instances have a member `boxed` does all that by its cross(). */
-#define COMMON_BOXED_CLASS(type, cross)                                                                                      \
+#define COMMON_BOXED_CLASS(type, cross) COMMON_NARROW_CLASS(type, cross, NULL)
+
+/* The same of one that looks at candidates closer (narrow.h). */
+#define COMMON_NARROW_CLASS(type, cross, closer)                                                                             \
     static void intersect(const void *self, const pov_ray *ray, pov_hits *hits)                                              \
     {                                                                                                                        \
         common_boxed_intersect(&((const type *)self)->boxed, cross, self, ray, hits);                                       \
@@ -28,7 +31,7 @@ void common_boxed_intersect_many(size_t boxed_at, common_cross_entry *cross, con
     {                                                                                                                        \
         common_boxed_intersect_many(offsetof(type, boxed), cross, selves, rays, hits, n);                                    \
     }                                                                                                                        \
-    static const pov_shape_fast fast = { .size = sizeof(pov_shape_fast), .intersect_many = intersect_many };                 \
+    static const pov_shape_fast fast = { .size = sizeof(pov_shape_fast), .intersect_many = intersect_many, .narrow = closer };   \
     static const void *extension(const char *name) { return common_is_fast(name) ? &fast : NULL; }
 
 #endif

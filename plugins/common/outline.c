@@ -100,13 +100,21 @@ static uint32_t roots_of(const double *b, uint32_t degree, double *root)
 
 /* ---- along a line ---- */
 
-static void sort_in(common_cross *out, uint32_t count, common_cross c)
+/* Member by member: a structure that has just been stored so and is then read as a whole has to wait for it. */
+static void put(common_cross *out, double s, double u, uint32_t piece)
 {
-    while (count > 0 && out[count - 1].s > c.s) {
-        out[count] = out[count - 1];
+    out->s = s;
+    out->u = u;
+    out->piece = piece;
+}
+
+static void sort_in(common_cross *out, uint32_t count, double s, double u, uint32_t piece)
+{
+    while (count > 0 && out[count - 1].s > s) {
+        put(&out[count], out[count - 1].s, out[count - 1].u, out[count - 1].piece);
         count--;
     }
-    out[count] = c;
+    put(&out[count], s, u, piece);
 }
 
 /* On which side of the line a point lies. */
@@ -191,11 +199,8 @@ static uint32_t cross_piece(const common_outline *o, uint32_t i, const tested *t
     else
         n = roots_of(b, c->degree, root);
     for (uint32_t k = 0; k < n; k++) {
-        common_cross at = { 0.0, root[k], i };
-
         common_piece_at(c, root[k], point, tangent);
-        at.s = ((point[0] - t->p[0]) * t->d[0] + (point[1] - t->p[1]) * t->d[1]) / t->square;
-        sort_in(out, count++, at);
+        sort_in(out, count++, ((point[0] - t->p[0]) * t->d[0] + (point[1] - t->p[1]) * t->d[1]) / t->square, root[k], i);
     }
     return count;
 }
@@ -206,12 +211,59 @@ static bool is_crossed_oddly(const common_piece *c, const tested *t)
     return (side_of(c->x[0], c->y[0], t->p, t->d) >= 0.0) != (side_of(c->x[c->degree], c->y[c->degree], t->p, t->d) >= 0.0);
 }
 
+/* Of pieces that are all straight: on which sides of the line the ends of those from `first` on lie, and a bit for each that has ends on
+ * both. */
+static uint32_t straddling_straight(const common_outline *o, uint32_t first, const tested *restrict t, double *restrict from, double *restrict to)
+{
+    const double *x = o->rows + first, *y = x + o->stride, *next_x = y + o->stride, *next_y = next_x + o->stride;
+    common_bits both;
+
+    for (int l = 0; l < SIDE; l++) {
+        from[l] = side_of(x[l], y[l], t->p, t->d);
+        to[l] = side_of(next_x[l], next_y[l], t->p, t->d);
+    }
+    for (int l = 0; l < SIDE; l++)
+        both.lane[l] = -((int)(from[l] >= 0.0) ^ (int)(to[l] >= 0.0));
+    return common_gather_bits(&both);
+}
+
+/* As cross_piece(), with the sides of its ends. */
+static uint32_t cross_straight(const common_piece *c, uint32_t i, const tested *t, double from, double to, common_cross *out, uint32_t count)
+{
+    const double u = from / (from - to), v = 1.0 - u, x = c->x[0] * v + c->x[1] * u, y = c->y[0] * v + c->y[1] * u;
+
+    sort_in(out, count, ((x - t->p[0]) * t->d[0] + (y - t->p[1]) * t->d[1]) / t->square, u, i);
+    return count + 1;
+}
+
+static uint32_t cross_all_straight(const common_outline *o, const tested *t, common_cross *out, bool *odd)
+{
+    uint32_t count = 0;
+
+    for (uint32_t first = 0; first < o->count; first += SIDE) {
+        double from[SIDE], to[SIDE];
+
+        for (uint32_t bits = straddling_straight(o, first, t, from, to); bits != 0; bits &= bits - 1) {
+            const uint32_t k = common_first_lane(bits), i = first + k;
+            const int place = place_of(&o->at[i], t);
+
+            if (place < 0)
+                *odd = !*odd;
+            else if (place == 0)
+                count = cross_straight(&o->at[i], i, t, from[k], to[k], out, count);
+        }
+    }
+    return count;
+}
+
 uint32_t common_outline_cross(const common_outline *o, const double p[2], const double d[2], const double range[2],
                               common_cross *out, bool *odd)
 {
     const tested t = tested_of(p, d, range);
     uint32_t count = 0;
 
+    if (o->points == 2)
+        return cross_all_straight(o, &t, out, odd);
     for (uint32_t first = 0; first < o->count; first += SIDE) {
         for (uint32_t bits = straddling(o, first, p, d); bits != 0; bits &= bits - 1) {
             const uint32_t i = first + common_first_lane(bits);
@@ -241,14 +293,12 @@ uint32_t common_outline_cross_cone(const common_outline *o, pov_vec3 w, pov_vec3
             b[k] = m.x * c->x[k] + m.y + m.z * c->y[k];
         n = roots_of(b, c->degree, root);
         for (uint32_t k = 0; k < n; k++) {
-            common_cross at = { 0.0, root[k], i };
             pov_vec3 toward, across;
 
             common_piece_at(c, root[k], point, tangent);
             toward = pov_vec3_of(point[0], 1.0, point[1]);
             across = pov_cross_product(d, toward);
-            at.s = -pov_dot(pov_cross_product(w, toward), across) / pov_dot(across, across);
-            sort_in(out, count++, at);
+            sort_in(out, count++, -pov_dot(pov_cross_product(w, toward), across) / pov_dot(across, across), root[k], i);
         }
     }
     return count;

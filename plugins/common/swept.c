@@ -154,9 +154,9 @@ static bool begins_in_cone(const walk *w, pov_vec3 p)
     return count_before(w, w->base - p.y / d.y) % 2 == 1;
 }
 
-/* Crossings of the line with the sweep, and where it begins inside: all but those that certainly are before `ahead`, or in no
- * interval between the planes. */
-static void find_crossings(walk *w, common_cross *room, double ahead)
+/* Crossings of the line with the sweep, and where it begins inside: all but those that certainly are before `ahead` or behind `last`, or
+ * in no interval between the planes. */
+static void find_crossings(walk *w, common_cross *room, double ahead, double last)
 {
     const pov_vec3 p = pov_two3_hi(common_along_two(w->k, w->base));
     double a[2], d[2];
@@ -170,7 +170,8 @@ static void find_crossings(walk *w, common_cross *room, double ahead)
         w->count = common_outline_cross_cone(&w->s->outline, p, w->k->d, room);
         w->odd = w->k->d.y != 0.0 && begins_in_cone(w, p);
     } else if (d[0] != 0.0 || d[1] != 0.0) {
-        const double near = w->near.about > ahead ? w->near.about : ahead, range[2] = { near - w->base, w->far.about - w->base };
+        const double near = w->near.about > ahead ? w->near.about : ahead, far = w->far.about < last ? w->far.about : last;
+        const double range[2] = { near - w->base, far - w->base };
 
         w->count = common_outline_cross(&w->s->outline, a, d, range, room, &w->odd);
     } else {
@@ -210,7 +211,7 @@ bool common_swept_cross(const common_swept *s, const pov_ray *ray, const common_
     w.base = w.origin < PIECES + s->outline.count ? 0.0 : e->span.lo;
     if (!find_slab(&w))
         return true;
-    find_crossings(&w, room, fmin(hits->tmin * w.k->per_unit, 0.0) - 2.0 * NEAR);
+    find_crossings(&w, room, fmin(hits->tmin * w.k->per_unit, 0.0) - 2.0 * NEAR, common_wants(w.k, 0.0, 0.0, hits).far + 2.0 * NEAR);
     for (uint32_t i = 0; i < w.count; i++) {
         const pov_two t = pov_two_sum(w.base, w.at[i].s);
 

@@ -5,7 +5,7 @@
 #ifndef COMMON_SWEPT_H
 #define COMMON_SWEPT_H
 
-#include "common/boxed.h"
+#include "common/narrow.h"
 #include "common/outline.h"
 
 typedef struct common_swept {
@@ -28,6 +28,8 @@ bool common_swept_intersect(const common_swept *s, const pov_ray *ray, const com
                             pov_hits *hits);
 /* The same of a ray that comes near its box. */
 bool common_swept_cross(const common_swept *s, const pov_ray *ray, const common_entry *e, common_cross *room, pov_hits *hits);
+/* Of rays at the box of one that is no cone. */
+common_look common_swept_look;
 bool common_swept_inside(const common_swept *s, pov_two3 point);
 /* Of a crossing of this sweep. */
 void common_swept_normal(const common_swept *s, pov_vec3 dir, const pov_mark *mark, pov_vec3 *out);

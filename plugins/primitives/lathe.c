@@ -5,8 +5,8 @@
  * A ray that hardly rises can meet only those stretches of the curve that are at its height. There s is a polynomial in u without
  * cancellation. Of a ray that rises less still, the height alone gives u, and the radius gives both distances. */
 #include "common/bernstein.h"
-#include "common/boxed.h"
 #include "common/curve.h"
+#include "common/revolved.h"
 #include "common/turns.h"
 
 #include <string.h>
@@ -25,6 +25,7 @@ typedef struct lathe {
     common_outline outline;
     part *parts;
     common_boxed boxed;
+    common_revolved filter;        /* of straight pieces; else empty */
     double wide, high;             /* half a box about the anchor, scaled */
     double outward;                /* 1: the outside is to the right of a curve that rises; else -1 */
     bool open;
@@ -128,6 +129,7 @@ static void place(lathe *l, const pov_host *host, pov_reader *in)
     l->parts = host->alloc(in, l->outline.count * sizeof *l->parts);
     for (uint32_t i = 0; l->parts && i < l->outline.count; i++)
         make_part(&l->parts[i], &l->outline.at[i]);
+    common_revolved_outline(&l->filter, &l->outline, host, in);
 }
 
 static void add_pieces(lathe *l, const pov_host *host, pov_reader *in, common_spline kind, double (*at)[2], uint32_t n)
@@ -509,7 +511,14 @@ static void cross(const void *self, const pov_ray *ray, const common_entry *e, p
     }
 }
 
-COMMON_BOXED_CLASS(lathe, cross)
+static uint32_t narrow(const void *self, const pov_own_map *map, uint32_t owner, const pov_rays *rays, pov_candidate *io, uint32_t n)
+{
+    const lathe *l = self;
+
+    return l->filter.count > 0 ? common_narrow(&l->boxed, common_revolved_look, &l->filter, map, owner, rays, io, n) : n;
+}
+
+COMMON_NARROW_CLASS(lathe, cross, narrow)
 
 /* ---- points ---- */
 

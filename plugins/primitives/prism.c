@@ -180,7 +180,14 @@ static void cross(const void *self, const pov_ray *ray, const common_entry *e, p
     common_swept_cross(&((const prism *)self)->swept, ray, e, hits->scratch, hits);
 }
 
-COMMON_BOXED_CLASS(prism, cross)
+static uint32_t narrow(const void *self, const pov_own_map *map, uint32_t owner, const pov_rays *rays, pov_candidate *io, uint32_t n)
+{
+    const prism *p = self;
+
+    return p->swept.conic ? n : common_narrow(&p->boxed, common_swept_look, &p->swept, map, owner, rays, io, n);
+}
+
+COMMON_NARROW_CLASS(prism, cross, narrow)
 
 static bool inside(const void *self, pov_vec3 point, pov_vec3 point_lo)
 {

@@ -5,8 +5,8 @@
  * which are known beforehand, less those of the ray's squared distance to the axis. Where two pieces touch, both have the
  * same value at the same point, and so have the caps at the ends: what goes in comes out. */
 #include "common/bernstein.h"
-#include "common/boxed.h"
 #include "common/curve.h"
+#include "common/revolved.h"
 #include "common/turns.h"
 
 /* Heights, the Bernstein coefficients of the squared radius between them, and the largest of these. */
@@ -16,6 +16,7 @@ typedef struct sor {
     uint32_t count;
     piece *at;
     common_boxed boxed;
+    common_revolved filter;
     double wide;
     pov_two low, high;             /* heights of the ends, scaled */
     bool open;
@@ -85,6 +86,18 @@ static void make(sor *s, const pov_host *host, pov_reader *in, const double (*p)
     s->boxed.hi = pov_vec3_of(s->wide, s->high.hi, s->wide);
 }
 
+static void make_filter(sor *s, const pov_host *host, pov_reader *in)
+{
+    common_revolved *f = &s->filter;
+    const double ends[2] = { s->at[0].square[0], s->at[s->count - 1].square[3] };
+
+    f->at = host->alloc(in, (s->count + 2) * sizeof *f->at);
+    for (uint32_t i = 0; f->at && i < s->count; i++)
+        common_revolved_curve(&f->at[f->count++], s->at[i].low, s->at[i].high, s->at[i].square, i);
+    for (uint32_t k = 0; f->at && !s->open && k < 2; k++)
+        common_revolved_ring(&f->at[f->count++], k ? s->high.hi : s->low.hi, 0.0, sqrt(ends[k]), k ? HIGH_CAP : LOW_CAP);
+}
+
 static void parse(void *self, const pov_host *host, pov_reader *in)
 {
     sor *s = self;
@@ -101,6 +114,8 @@ static void parse(void *self, const pov_host *host, pov_reader *in)
         if (host->accept(in, "open"))
             read = s->open = true;
     }
+    if (s->at)
+        make_filter(s, host, in);
 }
 
 static bool bounds(const void *self, pov_box *out)
@@ -311,7 +326,14 @@ static void cross(const void *self, const pov_ray *ray, const common_entry *e, p
         report_cap(&n, s, true, hits);
 }
 
-COMMON_BOXED_CLASS(sor, cross)
+static uint32_t narrow(const void *self, const pov_own_map *map, uint32_t owner, const pov_rays *rays, pov_candidate *io, uint32_t n)
+{
+    const sor *s = self;
+
+    return common_narrow(&s->boxed, common_revolved_look, &s->filter, map, owner, rays, io, n);
+}
+
+COMMON_NARROW_CLASS(sor, cross, narrow)
 
 /* ---- points ---- */
 

@@ -1,6 +1,6 @@
-/* test_torus_filter.c - tori that are turned, stretched and moved, their rays in packets: what the filter leaves out, lets light
- * end at or bounds must be what each ray finds by itself without filters, bit for bit. Rays start far away, near the tori and on them.
- * Without arguments a short run; test_torus_filter RAYS for a long one. */
+/* test_narrow.c - shapes that are turned, stretched and moved, their rays in packets: what narrow() leaves out, lets light end at
+ * or bounds must be what each ray finds by itself without filters, bit for bit. Rays start far away, near the shapes and on them.
+ * Without arguments a short run; test_narrow RAYS for a long one. */
 #include "query/context.h"   /* before probe.h, whose name for a kind it uses for a parameter */
 
 #include "numerics/families.h"
@@ -12,7 +12,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { TORI = 4, RAYS_OF_A_SCENE = 1024 };
+enum { SHAPES = 4, RAYS_OF_A_SCENE = 1024 };
 
 #define U families_uniform
 
@@ -30,21 +30,108 @@ typedef struct tally { long rays, hits, dark; } tally;
 
 static pov_vec3 anywhere(double size) { return pov_vec3_of(size * (2.0 * U() - 1.0), size * (2.0 * U() - 1.0), size * (2.0 * U() - 1.0)); }
 
-static void add_torus(scene *s, pov_reader *in)
-{
-    const shape_class *shape = fake_reader_shape("torus");
-    void *self = fake_reader_memory(in, shape->instance_size);
-    const double major = s->size * (0.1 + U()), minor = U() < 0.2 ? s->size * (0.1 + U()) : major * (U() < 0.2 ? 1e-3 : U());
-    const transform *t = NULL;
-    probe p;
+/* Random shapes of a size, as numbers and words between their braces. */
+typedef void shape_maker(pov_reader *in, double size);
 
-    memset(&p, 0, sizeof p);
-    p.kind = TORUS;
-    p.count = 2;
-    p.size = s->size;
-    p.number[0] = major;
-    p.number[1] = minor;
-    assert_true(probe_make(&p, shape, in, self));
+static void add_number(pov_reader *in, double value)
+{
+    fake_reader_number(in, value);
+    fake_reader_word(in, ",");
+}
+
+static void add_point(pov_reader *in, double x, double y)
+{
+    fake_reader_word(in, ",");
+    fake_reader_word(in, "<");
+    add_number(in, x);
+    fake_reader_number(in, y);
+    fake_reader_word(in, ">");
+}
+
+static void make_torus(pov_reader *in, double size)
+{
+    const double major = size * (0.1 + U());
+
+    add_number(in, major);
+    fake_reader_number(in, U() < 0.2 ? size * (0.1 + U()) : major * (U() < 0.2 ? 1e-3 : U()));
+}
+
+/* A star of three to nine points; one with a hole, now and then. Splines have points that steer them before it and behind. */
+static void make_prism(pov_reader *in, double size)
+{
+    static const char *const words[] = { "linear_spline", "quadratic_spline", "cubic_spline" };
+    const uint32_t spline = (uint32_t)(3.0 * U()), before = spline > 0, behind = spline > 1, rings = spline == 0 && U() < 0.5 ? 2 : 1;
+    const uint32_t corners = 3 + (uint32_t)(7.0 * U());
+
+    fake_reader_word(in, words[spline]);
+    add_number(in, -size * U());
+    add_number(in, size * U());
+    fake_reader_number(in, rings * (corners + 1) + before + behind);
+    for (uint32_t ring = 0; ring < rings; ring++) {
+        double at[16][2];
+
+        for (uint32_t i = 0; i < corners; i++) {
+            const double turn = 6.283185307179586 * (i + 0.5 * U()) / corners, reach = size * (0.4 + 0.6 * U()) * (ring ? 0.3 : 1.0);
+
+            at[i][0] = reach * cos(turn);
+            at[i][1] = reach * sin(turn);
+        }
+        for (uint32_t i = 0; i < corners + 1 + before + behind; i++) {
+            const uint32_t k = (i + corners - before) % corners;
+
+            add_point(in, at[k][0], at[k][1]);
+        }
+    }
+    if (U() < 0.3)
+        fake_reader_word(in, "open");
+}
+
+static void make_lathe(pov_reader *in, double size)
+{
+    const uint32_t points = 2 + (uint32_t)(6.0 * U());
+    double y = 0.0;
+
+    fake_reader_word(in, "linear_spline");
+    fake_reader_number(in, points);
+    for (uint32_t i = 0; i < points; i++) {
+        add_point(in, U() < 0.2 ? 0.0 : size * U(), y);
+        y = U() < 0.2 ? y : size * (2.0 * U() - 1.0);
+    }
+}
+
+static void make_sor(pov_reader *in, double size)
+{
+    const uint32_t points = 4 + (uint32_t)(4.0 * U());
+    double y = -size;
+
+    fake_reader_number(in, points);
+    for (uint32_t i = 0; i < points; i++) {
+        add_point(in, size * (0.05 + U()), y);
+        y += size * (0.01 + 0.7 * U());
+    }
+    if (U() < 0.3)
+        fake_reader_word(in, "open");
+}
+
+static const struct { const char *keyword; shape_maker *make; } kinds[] = {
+    { "torus", make_torus }, { "prism", make_prism }, { "lathe", make_lathe }, { "sor", make_sor },
+};
+enum { MAKERS = sizeof kinds / sizeof kinds[0] };
+
+static void add_shape(scene *s, pov_reader *in, uint32_t which)
+{
+    const shape_class *shape = fake_reader_shape(kinds[which].keyword);
+    void *self = fake_reader_memory(in, shape->instance_size);
+    const transform *t = NULL;
+
+    fake_reader_clear(in);
+    kinds[which].make(in, s->size);
+    if (!fake_reader_parse_into(in, shape, self)) {
+        char text[4096];
+
+        fake_reader_print(in, text, sizeof text);
+        fail_msg("%s { %s: %s", kinds[which].keyword, text, fake_reader_message(in));
+    }
     if (U() < 0.4)
         t = test_transform(&s->model, t, TRANSFORM_SCALE, 0.2 + U(), 0.2 + U(), 0.2 + U());
     t = test_transform(&s->model, t, TRANSFORM_ROTATE, 360.0 * U(), 360.0 * U(), 360.0 * U());
@@ -140,12 +227,11 @@ static void ask_all(scene *s, tally *out)
     }
 }
 
-static void filters_find_what_rays_find_alone(void **state)
+static void ask_kind(uint32_t which)
 {
     static const double sizes[] = { 1.0, 1e-6, 1e9 };
     tally all = { 0, 0, 0 };
 
-    (void)state;
     families_seed(20261126);
     for (int round = 0; all.rays < rays; round++) {
         pov_reader *in = fake_reader_create();
@@ -154,8 +240,8 @@ static void filters_find_what_rays_find_alone(void **state)
         memset(&s, 0, sizeof s);
         test_model_init(&s.model, NULL);
         s.size = sizes[round % 3];
-        for (int i = 0; i < TORI; i++)
-            add_torus(&s, in);
+        for (int i = 0; i < SHAPES; i++)
+            add_shape(&s, in, which);
         compile(&s.filtered, &s.model, POV_ACCEL_TREE);
         compile(&s.plain, &s.model, POV_ACCEL_NONE);
         ask_all(&s, &all);
@@ -164,8 +250,15 @@ static void filters_find_what_rays_find_alone(void **state)
         model_free(&s.model);
         fake_reader_destroy(in);
     }
-    print_message("%ld rays, %ld hits, %ld dark\n", all.rays, all.hits, all.dark);
+    print_message("%s: %ld rays, %ld hits, %ld dark\n", kinds[which].keyword, all.rays, all.hits, all.dark);
     assert_true(all.hits > rays / 3 && all.dark > rays / 5);
+}
+
+static void filters_find_what_rays_find_alone(void **state)
+{
+    (void)state;
+    for (uint32_t which = 0; which < MAKERS; which++)
+        ask_kind(which);
 }
 
 int main(int argc, char **argv)

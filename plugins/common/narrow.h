@@ -1,0 +1,30 @@
+/* narrow.h - rays that come to the box of an instanced shape, several side by side in doubles in the shape's local space: which of them
+ * certainly pass it, and which certainly hit it. docs/numerics.md ("Rays at a box") has the bounds. */
+#ifndef COMMON_NARROW_H
+#define COMMON_NARROW_H
+
+#include "common/boxed.h"
+#include "common/simd.h"
+
+enum { COMMON_BEAMS = 8 };
+typedef double common_beam[COMMON_BEAMS];
+
+/* By lane: the ray is at org + s dir, a unit vector, and begins at s = 0, or comes to the box there. What counts for it is between
+ * `from` and `to`, and certainly does between sure_from and sure_to. Places are off by `off` at most, and lengths too. */
+typedef struct common_beams {
+    common_beam org[3], dir[3], from, to, sure_from, sure_to, off;
+    uint32_t feature[COMMON_BEAMS];    /* that it starts on, or UINT32_MAX; and the u of its mark */
+    common_beam u;
+} common_beams;
+
+/* 1 where the shape is certainly passed, or certainly hit between lo and hi; it is not hit before lo. */
+typedef struct common_verdicts { common_beam passed, hit, lo, hi; } common_verdicts;
+
+/* What a shape says of them; its crossings at the very start of a ray on it do not count. */
+typedef void common_look(const void *self, const common_beams *restrict l, common_verdicts *restrict out);
+
+/* narrow() of a class. */
+uint32_t common_narrow(const common_boxed *b, common_look *look, const void *self, const pov_own_map *map, uint32_t owner,
+                       const pov_rays *rays, pov_candidate *io, uint32_t n);
+
+#endif

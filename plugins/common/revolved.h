@@ -1,0 +1,21 @@
+/* revolved.h - surfaces about the y axis, as rays at their boxes see them side by side (narrow.h): between two heights the square of the
+ * radius is a cubic in the height, or the part is a flat ring. */
+#ifndef COMMON_REVOLVED_H
+#define COMMON_REVOLVED_H
+
+#include "common/narrow.h"
+#include "common/outline.h"
+
+/* In the local space: square[0] + square[1] y + ..., and the sum of their sizes; of a ring, where low is high, the squares of its radii. */
+typedef struct common_revolved_part { double low, high, square[4], size, inner, outer; uint32_t feature; } common_revolved_part;
+
+typedef struct common_revolved { uint32_t count; common_revolved_part *at; } common_revolved;
+
+/* A part by the Bernstein coefficients of the squared radius from `low` to `high`. */
+void common_revolved_curve(common_revolved_part *p, double low, double high, const double square[4], uint32_t feature);
+void common_revolved_ring(common_revolved_part *p, double height, double inner, double outer, uint32_t feature);
+/* The parts of an outline that is turned, if all its pieces are straight; else none. */
+void common_revolved_outline(common_revolved *r, const common_outline *o, const pov_host *host, pov_reader *in);
+common_look common_revolved_look;
+
+#endif
