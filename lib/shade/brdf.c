@@ -147,9 +147,9 @@ static inline void set_finish(finishes *f, uint32_t i, const appearance *a)
     f->power[i] = a->power;
 }
 
-static int64_t whole_of(double sharpness)
+static int64_t whole_of(double power, double most)
 {
-    return sharpness >= 1.0 && sharpness <= APPEARANCE_POWER_LANES && sharpness == floor(sharpness) ? (int64_t)sharpness : 0;
+    return power >= 1.0 && power <= most && power == floor(power) ? (int64_t)power : 0;
 }
 
 /* kinds: what some surface has; the rest is not asked for. */
@@ -163,10 +163,11 @@ static void set_rich(rich_finishes *r, uint32_t i, const appearance *a, uint32_t
     r->phong[i] = f->phong;
     r->phong_size[i] = (double)f->phong_size;
     r->brilliance[i] = f->brilliance;
+    r->course[i] = whole_of(f->brilliance, 63.0);
     if (kinds & FINISH_SPECULAR) {
         r->specular[i] = f->specular;
         r->sharpness[i] = 1.0 / f->roughness;
-        r->whole[i] = whole_of(r->sharpness[i]);
+        r->whole[i] = whole_of(r->sharpness[i], APPEARANCE_POWER_LANES);
     }
     if (kinds & FINISH_METAL)
         r->metallic[i] = f->metallic;
@@ -201,6 +202,7 @@ static void begin_common(finishes *f, const model *m, const surfaces *on, const 
         f->lit[k] = (uint8_t)k;
     f->kinds = f->count > 0 ? a->kinds : 0;
     f->alike = f->count > 0 ? alike(a->power, a->power) : 0;
+    f->has_phong = f->count > 0 && a->finish->phong != 0.0f;
     if (f->held != a)
         f->held_count = 0;
     f->held = a;
@@ -225,6 +227,7 @@ void brdf_begin(finishes *f, const model *m, const surfaces *on, uint32_t level)
         return;
     }
     f->held = NULL;
+    f->has_phong = false;
     for (uint32_t i = 0; i < on->count; i++) {
         const appearance *a = stack_level(on->at[i].appearance, level);
 
@@ -233,6 +236,7 @@ void brdf_begin(finishes *f, const model *m, const surfaces *on, uint32_t level)
         f->lit[count++] = (uint8_t)i;
         set_finish(f, i, a);
         kinds |= a->kinds;
+        f->has_phong |= a->finish->phong != 0.0f;
         some |= f->power[i];
         all &= f->power[i];
     }

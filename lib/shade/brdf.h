@@ -5,12 +5,13 @@
 #include "light/light.h"
 #include "shade/surface.h"
 
-/* What only some finishes have. A power is a whole one up to APPEARANCE_POWER_LANES in `whole`, or `whole` is 0. */
+/* What only some finishes have. A whole power is repeated as such, up to 63 and APPEARANCE_POWER_LANES, where others have 0. */
 typedef struct SIMD_ALIGNED rich_finishes {
     float back_weight[BATCH_MAX];   /* diffuse_weight for light from behind */
     float both_sides[BATCH_MAX];    /* 1: light from behind makes highlights too */
     float phong[BATCH_MAX], specular[BATCH_MAX], metallic[BATCH_MAX], irid[BATCH_MAX], crand[BATCH_MAX];
     double brilliance[BATCH_MAX], phong_size[BATCH_MAX], sharpness[BATCH_MAX], thickness[BATCH_MAX];
+    int64_t course[BATCH_MAX];   /* brilliance */
     int64_t whole[BATCH_MAX];    /* sharpness, which is 1 / roughness */
 } rich_finishes;
 
@@ -25,6 +26,7 @@ typedef struct SIMD_ALIGNED finishes {
     const appearance *held;      /* the first lanes are all of this one; NULL: there is none such */
     uint32_t held_count;
     uint32_t level;
+    bool has_phong;              /* some surface's finish has */
     rich_finishes rich;
     uint32_t count;
     uint8_t lit[BATCH_MAX];      /* lanes of lit surfaces */

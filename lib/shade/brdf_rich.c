@@ -15,25 +15,40 @@ typedef struct SIMD_ALIGNED parts {
 
 /* ---- diffuse light ---- */
 
-/* A constant argument leaves a loop that compilers vectorise in two forms. */
-static inline void diffuse_lanes(parts *restrict p, const finishes *restrict f, const double *restrict cosines, uint32_t n, bool powers)
+static inline float diffuse_by(const finishes *f, uint32_t i, double cosine)
 {
-    for (uint32_t i = 0; i < n; i++) {
-        const double cosine = cosines[i], size = fabs(cosine), brilliance = f->rich.brilliance[i];
-        const double course = powers && brilliance != 1.0 ? elementary_pow(size, brilliance) : size;
-
-        p->diffuse[i] = (cosine > 0.0 ? f->diffuse_weight[i] : f->rich.back_weight[i]) * (float)course;
-    }
+    return cosine > 0.0 ? f->diffuse_weight[i] : f->rich.back_weight[i];
 }
 
 SIMD_CLONES static void diffuse_plain(parts *restrict p, const finishes *restrict f, const double *restrict cosines, uint32_t n)
 {
-    diffuse_lanes(p, f, cosines, n, false);
+    for (uint32_t i = 0; i < n; i++)
+        p->diffuse[i] = diffuse_by(f, i, cosines[i]) * (float)fabs(cosines[i]);
+}
+
+/* Whole powers, and the cosine itself, by their product; `odd` lanes are left. */
+SIMD_CLONES static uint32_t diffuse_products(parts *restrict p, const finishes *restrict f, const double *restrict cosines, uint32_t n)
+{
+    uint32_t odd = 0;
+
+    for (uint32_t i = 0; i < n; i++) {
+        const double size = fabs(cosines[i]), product = highlight_product(size, f->rich.course[i], true);
+        const float lo = highlight_lo(product), hi = highlight_hi(product);
+
+        p->odd[i] = (f->rich.course[i] != 1) & ((f->rich.course[i] == 0) | !(lo == hi));
+        odd |= p->odd[i];
+        p->diffuse[i] = diffuse_by(f, i, cosines[i]) * (f->rich.course[i] == 1 ? (float)size : lo);
+    }
+    return odd;
 }
 
 SIMD_CLONES static void diffuse_powers(parts *restrict p, const finishes *restrict f, const double *restrict cosines, uint32_t n)
 {
-    diffuse_lanes(p, f, cosines, n, true);
+    for (uint32_t i = 0; i < n; i++) {
+        const float course = (float)elementary_pow(fabs(cosines[i]), f->rich.brilliance[i]);
+
+        p->diffuse[i] = p->odd[i] ? diffuse_by(f, i, cosines[i]) * course : p->diffuse[i];
+    }
 }
 
 /* A number from 0 to 1 that is as good as random: the bits of the point and of the direction to the light, mixed. */
@@ -62,10 +77,10 @@ static void take_grains(parts *p, const finishes *f, const vec_lanes *dir)
 
 static void diffuse(parts *p, const finishes *f, const light_sample *s, const vec_lanes *dir, uint32_t n)
 {
-    if (f->kinds & FINISH_BRILLIANCE)
-        diffuse_powers(p, f, s->cosine, n);
-    else
+    if (!(f->kinds & FINISH_BRILLIANCE))
         diffuse_plain(p, f, s->cosine, n);
+    else if (diffuse_products(p, f, s->cosine, n))
+        diffuse_powers(p, f, s->cosine, n);
     if (f->kinds & FINISH_CRAND)
         take_grains(p, f, dir);
 }
@@ -216,7 +231,7 @@ static void metal(parts *p, const finishes *f, const double *cosines, bool fresn
 
 static void highlights(parts *p, const finishes *f, const model *m, const light_sample *s, const vec_lanes *dir, uint32_t n)
 {
-    if (phong_plain(p, f, s, n))
+    if (f->has_phong && phong_plain(p, f, s, n))
         phong_powers(p, f, s, n);
     if (f->kinds & FINISH_SPECULAR)
         find_specular(p, f, s, dir, n);

@@ -19,20 +19,6 @@ double reflectance_fresnel(double cosine, double ratio) { return fresnel_of(cosi
 
 /* ---- surfaces side by side ---- */
 
-/* Surfaces whose reflection depends on the angle, and how, by lane. */
-typedef struct SIMD_ALIGNED reflectances {
-    double cosine[BATCH_MAX], ratio[BATCH_MAX], falloff[BATCH_MAX];
-    float min[3][BATCH_MAX], max[3][BATCH_MAX], color[3][BATCH_MAX], metallic[BATCH_MAX];
-    int64_t fresnel[BATCH_MAX];
-    double course[BATCH_MAX];    /* from min to max */
-    float share[BATCH_MAX];      /* of the pigment's colour */
-    float by[3][BATCH_MAX];      /* what is reflected */
-    float weight[BATCH_MAX];     /* of the ray: its largest component before metal dyes it, as in POV-Ray */
-    uint32_t count;
-    uint8_t of[BATCH_MAX];       /* the surface */
-    bool has_fresnel, has_powers, has_metal;
-} reflectances;
-
 /* A cosine below 0 is of a normal that is bent beyond the horizon: as in POV-Ray Fresnel's reflection is whole there. */
 SIMD_CLONES static void add_fresnel(reflectances *restrict m, uint32_t n)
 {
@@ -110,7 +96,7 @@ static void find_all(reflectances *m, const model *of)
     for (int k = 0; k < 3; k++)
         mix_colours(m, k, n);
     for (uint32_t i = 0; i < n; i++)
-        m->weight[i] = m->fresnel[i] ? colour_weight(colour_at(m, i)) : m->weight[i];
+        m->weight[i] = m->fresnel[i] ? colour_weight(colour_at(m, i)) : m->most[i];
     for (int k = 0; m->has_metal && k < 3; k++)
         dye(m, k, n);
 }
@@ -139,26 +125,65 @@ static void put_colour(float out[3][BATCH_MAX], uint32_t i, colour c)
     out[2][i] = c.b;
 }
 
-static void add_one(const shade_context *c, reflectances *m, surfaces *s, uint32_t lane)
+/* What holds at any angle. */
+static void put_constants(reflectances *m, uint32_t i, const appearance *a)
 {
-    const appearance *a = s->at[lane].appearance;
     const reflection *r = &a->finish->reflection;
-    const bool has_course = !colour_equal(r->min, r->max), fresnel = a->fresnel;
-    const uint32_t i = m->count++;
 
-    m->of[i] = (uint8_t)lane;
-    m->cosine[i] = s->geometry.cosine[lane];
-    m->ratio[i] = fresnel ? ratio_at(c, &s->at[lane], &s->crossing[lane]) : 1.0;
-    m->falloff[i] = has_course ? (double)r->falloff : 1.0;
-    m->fresnel[i] = fresnel;
-    m->weight[i] = fmaxf(colour_weight(r->min), colour_weight(r->max));   /* at any angle, as in POV-Ray */
+    m->falloff[i] = colour_equal(r->min, r->max) ? 1.0 : (double)r->falloff;
+    m->fresnel[i] = a->fresnel;
+    m->ratio[i] = 1.0;
+    m->most[i] = fmaxf(colour_weight(r->min), colour_weight(r->max));   /* at any angle, as in POV-Ray */
     m->metallic[i] = r->metallic;
     put_colour(m->min, i, r->min);
     put_colour(m->max, i, r->max);
     put_colour(m->color, i, a->pigment);
-    m->has_fresnel |= fresnel;
+    m->has_fresnel |= a->fresnel;
     m->has_powers |= m->falloff[i] != 1.0;
     m->has_metal |= r->metallic != 0.0f;
+}
+
+static void put_angle(const shade_context *c, reflectances *m, surfaces *s, uint32_t i, uint32_t lane)
+{
+    m->of[i] = (uint8_t)lane;
+    m->cosine[i] = s->geometry.cosine[lane];
+    if (m->has_fresnel && s->at[lane].appearance->fresnel)
+        m->ratio[i] = ratio_at(c, &s->at[lane], &s->crossing[lane]);
+}
+
+/* Batches of one appearance often follow one another: then what holds at any angle stands in its lanes. */
+static bool begin_alike(reflectances *m, const surfaces *s)
+{
+    const appearance *a = s->count > 0 ? s->at[0].appearance : NULL;
+    bool same = a && a->lasts && a->angular;
+
+    for (uint32_t i = 1; same && i < s->count; i++)
+        same = s->at[i].appearance == a;
+    if (m->held != a || !same) {
+        m->has_fresnel = m->has_powers = m->has_metal = false;
+        m->held_count = 0;
+    }
+    m->held = same ? a : NULL;
+    m->count = same ? s->count : 0;
+    for (; m->held_count < m->count; m->held_count++)
+        put_constants(m, m->held_count, a);
+    return same;
+}
+
+/* Surfaces whose reflection depends on the angle. */
+static void begin(const shade_context *c, reflectances *m, surfaces *s)
+{
+    if (begin_alike(m, s)) {
+        for (uint32_t i = 0; i < s->count; i++)
+            put_angle(c, m, s, i, i);
+        return;
+    }
+    for (uint32_t i = 0; i < s->count; i++) {
+        if (!s->at[i].appearance->angular)
+            continue;
+        put_constants(m, m->count, s->at[i].appearance);
+        put_angle(c, m, s, m->count++, i);
+    }
 }
 
 /* through: the factor of the filter. */
@@ -171,9 +196,11 @@ static void set(const shade_context *c, surfaces *s, uint32_t lane, coefficient 
     onward *out = &s->onward[lane];
     colour filter = a->onward.filter.by;
 
+    *out = a->onward;
     if (f->conserve_energy)
         filter = colour_mul(filter, colour_of(1.0f - by.r, 1.0f - by.g, 1.0f - by.b));
-    onward_set_filter(out, c->scene->model, colour_scale(filter, through));
+    if (f->conserve_energy || through != 1.0f)
+        onward_set_filter(out, c->scene->model, colour_scale(filter, through));
     out->reflection = mirrored;
     if (f->irid.amount != 0.0f && !a->powered)
         out->reflection.by = colour_mul(by, film_mirrored(c->scene->model, f, geometry_cosines(g, lane), lanes_at(&g->to.point, lane)));
@@ -194,17 +221,13 @@ static void fade_all(const shade_context *c, surfaces *s)
 /* layered: the filter's factor is that of a whole stack. */
 static void set_all(const shade_context *c, surfaces *s, bool layered)
 {
-    reflectances m;
+    reflectances *m = &s->reflectances;
 
-    m.count = 0;
-    m.has_fresnel = m.has_powers = m.has_metal = false;
-    for (uint32_t i = 0; i < s->count; i++)
-        if (s->at[i].appearance->angular)
-            add_one(c, &m, s, i);
-    find_all(&m, c->scene->model);
-    for (uint32_t k = 0; k < m.count; k++) {
-        const coefficient mirrored = { colour_at(&m, k), m.weight[k] };
-        const uint32_t i = m.of[k];
+    begin(c, m, s);
+    find_all(m, c->scene->model);
+    for (uint32_t k = 0; k < m->count; k++) {
+        const coefficient mirrored = { colour_at(m, k), m->weight[k] };
+        const uint32_t i = m->of[k];
 
         set(c, s, i, mirrored, layered ? 1.0f : s->at[i].appearance->finish->refraction);
     }

@@ -17,6 +17,21 @@ typedef struct surface {
     colour lit;                  /* reflected light of the light sources along the ray */
 } surface;
 
+/* Surfaces whose reflection depends on the angle, and how, by lane. */
+typedef struct SIMD_ALIGNED reflectances {
+    double cosine[BATCH_MAX], ratio[BATCH_MAX], falloff[BATCH_MAX];
+    float min[3][BATCH_MAX], max[3][BATCH_MAX], color[3][BATCH_MAX], metallic[BATCH_MAX], most[BATCH_MAX];
+    int64_t fresnel[BATCH_MAX];
+    double course[BATCH_MAX];    /* from min to max */
+    float share[BATCH_MAX];      /* of the pigment's colour */
+    float by[3][BATCH_MAX];      /* what is reflected */
+    float weight[BATCH_MAX];     /* of the ray: its largest component before metal dyes it, as in POV-Ray */
+    const appearance *held;      /* what holds at any angle of this one stands in the first lanes; NULL: of none */
+    uint32_t held_count, count;
+    uint8_t of[BATCH_MAX];       /* the surface */
+    bool has_fresnel, has_powers, has_metal;
+} reflectances;
+
 typedef struct surfaces {
     SIMD_ALIGNED hit hits[BATCH_MAX];   /* by ray of the batch */
     uint32_t count;
@@ -28,6 +43,7 @@ typedef struct surfaces {
     appearance varying[BATCH_MAX];   /* of surfaces whose texture varies */
     onward onward[BATCH_MAX];    /* of those of which it depends on the angle, and the interfaces that Fresnel asks for */
     dielectric_crossing crossing[BATCH_MAX];
+    reflectances reflectances;
     path dimmed[BATCH_MAX];      /* where there is fog: the paths as they arrive */
 } surfaces;
 
