@@ -1,5 +1,8 @@
 #include "texture/noise.h"
 
+#include <math.h>
+#include <string.h>
+
 /* ---- tables ---- */
 
 /* 15 bits of a linear congruential generator. */
@@ -25,6 +28,7 @@ static void fill_hash(noise_tables *t)
         t->hash[i] = (uint16_t)i;
     for (uint32_t i = NOISE_HASH; i-- > 0;)
         swap(&t->hash[i], &t->hash[draw(&seed) % NOISE_HASH]);
+    t->hash[NOISE_HASH] = t->hash[0];
 }
 
 /* Copy k has the numbers from i on at a multiple of four, where i & 3 is k. */
@@ -152,11 +156,12 @@ SIMD_INLINE void set_cell(lattice *restrict out, int axis, uint32_t i, double wh
     out->high[axis][i] = (cell + 1) & MASK;
 }
 
-SIMD_CLONES static void locate(const vec_lanes *restrict at, double scale, uint32_t n, lattice *restrict out)
+/* near: is_near() said so. */
+SIMD_INLINE void locate_lanes(const vec_lanes *restrict at, double scale, bool near, uint32_t n, lattice *restrict out)
 {
     for (uint32_t i = 0; i < n; i++) {
         const double x = at->x[i] * scale, y = at->y[i] * scale, z = at->z[i] * scale;
-        const double xi = limit(floor(x)), yi = limit(floor(y)), zi = limit(floor(z));
+        const double xi = near ? floor(x) : limit(floor(x)), yi = near ? floor(y) : limit(floor(y)), zi = near ? floor(z) : limit(floor(z));
 
         set_cell(out, 0, i, xi);
         set_cell(out, 1, i, yi);
@@ -165,12 +170,38 @@ SIMD_CLONES static void locate(const vec_lanes *restrict at, double scale, uint3
     }
 }
 
+SIMD_CLONES static void locate_near(const vec_lanes *restrict at, double scale, uint32_t n, lattice *restrict out)
+{
+    locate_lanes(at, scale, true, n, out);
+}
+
+SIMD_CLONES static void locate_far(const vec_lanes *restrict at, double scale, uint32_t n, lattice *restrict out)
+{
+    locate_lanes(at, scale, false, n, out);
+}
+
+static void locate(const vec_lanes *at, double scale, bool near, uint32_t n, lattice *out)
+{
+    (near ? locate_near : locate_far)(at, scale, n, out);
+}
+
+/* Do 32-bit integers hold the cells of all points, at this scale and at smaller ones? It is asked once for all octaves. */
+SIMD_CLONES static bool is_near(const vec_lanes *restrict at, double scale, uint32_t n)
+{
+    const double most = 2147483000.0 / fabs(scale);
+    int64_t near = -1;
+
+    for (uint32_t i = 0; i < n; i++)
+        near &= (fabs(at->x[i]) < most) & (fabs(at->y[i]) < most) & (fabs(at->z[i]) < most) ? -1 : 0;
+    return near != 0;
+}
+
 /* ---- generators 1 and 2, vector noise ---- */
 
 /* Where the numbers of each corner begin. */
 SIMD_INLINE void find_corners(const noise_tables *t, const lattice *l, uint32_t lane, const double *from[CORNERS])
 {
-    const uint32_t hx[2] = { t->hash[l->low[0][lane]], t->hash[l->high[0][lane]] };
+    const uint16_t *const hx = t->hash + l->low[0][lane];   /* and of the cell behind */
     const uint32_t y[2] = { l->low[1][lane], l->high[1][lane] }, z[2] = { l->low[2][lane], l->high[2][lane] };
     const double *const copies = (const double *)(const void *)t->measured;   /* one behind the other */
 
@@ -316,48 +347,70 @@ SIMD_CLONES static void finish_3(uint32_t n, double *restrict value)
         value[i] = clamp(0.4925 + 0.795 * value[i]);
 }
 
-SIMD_CLONES static void spread(bool clamped, uint32_t n, double *restrict value)
+static void find_values(const noise_tables *t, int generator, const vec_lanes *at, double scale, bool near, uint32_t n, double *value)
 {
-    for (uint32_t i = 0; i < n; i++) {
-        const double v = 2.0 * value[i] - 0.5;
-
-        value[i] = clamped ? clamp(v) : v;
-    }
-}
-
-void noise_values(const noise_tables *t, int generator, const vec_lanes *at, double scale, uint32_t n, double *value)
-{
-    const uint32_t whole = lanes_whole(n);
     lattice l;
 
     if (generator == 3) {
-        locate_3(at, scale, whole, &l);
+        locate_3(at, scale, lanes_whole(n), &l);
         sum_gradients(t, &l, n, value);
         finish_3(n, value);
         return;
     }
-    locate(at, scale, whole, &l);
+    locate(at, scale, near, lanes_whole(n), &l);
     sum_scalar(t, &l, n, value);
     finish(generator == 1 ? 0.5 : 1.05242, generator == 1 ? 1.0 : 0.48985582, n, value);
 }
 
-void noise_terms(const noise_tables *t, int generator, const vec_lanes *at, double scale, bool clamped, uint32_t n,
-                 double *value)
+void noise_values(const noise_tables *t, int generator, const vec_lanes *at, double scale, uint32_t n, double *value)
 {
-    noise_values(t, generator, at, scale, n, value);
-    if (generator != 1)
-        spread(clamped, n, value);
+    find_values(t, generator, at, scale, is_near(at, scale, lanes_whole(n)), n, value);
 }
 
 void noise_vectors(const noise_tables *t, const vec_lanes *at, double scale, uint32_t n, vec_lanes *value)
 {
+    const uint32_t whole = lanes_whole(n);
     lattice l;
 
-    locate(at, scale, lanes_whole(n), &l);
+    locate(at, scale, is_near(at, scale, whole), whole, &l);
     sum_vector(t, &l, n, value);
 }
 
-/* ---- turbulence ---- */
+/* ---- sums over octaves ---- */
+
+/* sum += factor * what noise counts for there. */
+SIMD_CLONES static void add_terms(double factor, bool spreads, bool clamped, const double *restrict noise, uint32_t n,
+                                  double *restrict sum)
+{
+    for (uint32_t i = 0; i < n; i++) {
+        const double v = spreads ? 2.0 * noise[i] - 0.5 : noise[i];
+
+        sum[i] += factor * (clamped ? clamp(v) : v);
+    }
+}
+
+SIMD_CLONES static void add_folds(double factor, bool spreads, const double *restrict noise, uint32_t n, double *restrict sum)
+{
+    for (uint32_t i = 0; i < n; i++)
+        sum[i] += factor * fabs(0.5 - clamp(spreads ? 2.0 * noise[i] - 0.5 : noise[i]));
+}
+
+void noise_octaves(const noise_tables *t, int generator, const vec_lanes *at, double scale, uint32_t count, bool folds, uint32_t n,
+                   double *value)
+{
+    const bool near = is_near(at, ldexp(scale, (int)count), lanes_whole(n));
+    SIMD_ALIGNED double noise[LANES_MAX];
+    double octave = 1.0;
+
+    memset(value, 0, n * sizeof *value);
+    for (uint32_t i = 0; i < count; i++, octave *= 2.0) {
+        find_values(t, generator, at, scale * octave, near, n, noise);
+        if (folds)
+            add_folds(1.0 / octave, generator != 1, noise, n, value);
+        else
+            add_terms(0.5 / octave, generator != 1, true, noise, n, value);
+    }
+}
 
 SIMD_CLONES static void add(double factor, const double *restrict term, uint32_t n, double *restrict sum)
 {
@@ -365,16 +418,30 @@ SIMD_CLONES static void add(double factor, const double *restrict term, uint32_t
         sum[i] += factor * term[i];
 }
 
+static bool are_octaves_near(const turbulence *of, const vec_lanes *at, uint32_t n)
+{
+    double scale = 1.0, most = 1.0;
+
+    for (uint32_t octave = 1; octave < of->octaves; octave++) {
+        scale *= of->lambda;
+        most = !(fabs(scale) <= most) ? fabs(scale) : most;
+    }
+    return is_near(at, most, lanes_whole(n));
+}
+
 void noise_turbulence(const noise_tables *t, int generator, const turbulence *of, const vec_lanes *at, uint32_t n,
                       double *value)
 {
-    SIMD_ALIGNED double term[LANES_MAX];
+    const bool near = are_octaves_near(of, at, n), spreads = generator != 1;
+    SIMD_ALIGNED double noise[LANES_MAX];
     double scale = of->lambda, factor = of->omega;
 
-    noise_terms(t, generator, at, 1.0, true, n, value);
+    memset(value, 0, n * sizeof *value);
+    find_values(t, generator, at, 1.0, near, n, noise);
+    add_terms(1.0, spreads, true, noise, n, value);
     for (uint32_t octave = 1; octave < of->octaves; octave++) {
-        noise_terms(t, generator, at, scale, false, n, term);
-        add(factor, term, n, value);
+        find_values(t, generator, at, scale, near, n, noise);
+        add_terms(factor, spreads, false, noise, n, value);
         scale *= of->lambda;
         factor *= of->omega;
     }
@@ -383,12 +450,16 @@ void noise_turbulence(const noise_tables *t, int generator, const turbulence *of
 void noise_vector_turbulence(const noise_tables *t, const turbulence *of, const vec_lanes *at, uint32_t n,
                              vec_lanes *value)
 {
+    const bool near = are_octaves_near(of, at, n);
     double scale = of->lambda, factor = of->omega;
     vec_lanes term;
+    lattice l;
 
-    noise_vectors(t, at, 1.0, n, value);
+    locate(at, 1.0, near, lanes_whole(n), &l);
+    sum_vector(t, &l, n, value);
     for (uint32_t octave = 1; octave < of->octaves; octave++) {
-        noise_vectors(t, at, scale, n, &term);
+        locate(at, scale, near, lanes_whole(n), &l);
+        sum_vector(t, &l, n, &term);
         add(factor, term.x, n, value->x);
         add(factor, term.y, n, value->y);
         add(factor, term.z, n, value->z);

@@ -21,7 +21,7 @@ typedef struct noise_wave { pov_vec3 source; double frequency; } noise_wave;
 typedef struct noise_tables {
     SIMD_ALIGNED double gradient[NOISE_GRADIENTS][4];    /* of generator 3: 0, and a unit vector */
     double cell[NOISE_CELLS];                            /* in 0..1 */
-    uint16_t hash[NOISE_HASH];                           /* a permutation */
+    uint16_t hash[NOISE_HASH + 1];                       /* a permutation, and its first number once more */
     uint16_t order[NOISE_GRADIENTS];                     /* of generator 3 */
     uint16_t last[NOISE_HASH];                           /* by a hash: where measured numbers begin, from its low bits */
     SIMD_ALIGNED double measured[NOISE_COPIES][NOISE_COPY];   /* the same numbers, moved: so all begin where vectors do */
@@ -55,13 +55,15 @@ static inline uint32_t noise_hash(const noise_tables *t, int32_t x, int32_t y, i
 
 /* 0..1. */
 void noise_values(const noise_tables *t, int generator, const vec_lanes *at, double scale, uint32_t n, double *value);
-/* The noise that sums of it are made of: generator 1 as it is, the others as 2 noise - 1/2; clamped to 0..1 if asked. */
-void noise_terms(const noise_tables *t, int generator, const vec_lanes *at, double scale, bool clamped, uint32_t n,
-                 double *value);
 /* Three numbers, about -1..1; the same for all generators. */
 void noise_vectors(const noise_tables *t, const vec_lanes *at, double scale, uint32_t n, vec_lanes *value);
 
-/* Sums over octaves. Their amounts are the caller's to multiply with. */
+/* Sums over octaves are made of generator 1 as it is, of the others as 2 noise - 1/2, clamped to 0..1.
+ * Octaves from `scale` on, each of half the size and half the weight of the one before: half of their sum, or the sum of their
+ * distances from 1/2. */
+void noise_octaves(const noise_tables *t, int generator, const vec_lanes *at, double scale, uint32_t count, bool folds, uint32_t n,
+                   double *value);
+/* Turbulence, whose first octave alone is clamped. Its amount is the caller's to multiply with. */
 void noise_turbulence(const noise_tables *t, int generator, const turbulence *of, const vec_lanes *at, uint32_t n,
                       double *value);
 void noise_vector_turbulence(const noise_tables *t, const turbulence *of, const vec_lanes *at, uint32_t n,

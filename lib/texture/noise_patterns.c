@@ -53,22 +53,9 @@ static void perturb_dents(const pattern_input *in, double amount, vec_lanes *nor
 
 enum { WRINKLES = 10, GRANITE = 6 };
 
-SIMD_CLONES static void add(double factor, const double *restrict term, uint32_t n, double *restrict sum)
-{
-    for (uint32_t i = 0; i < n; i++)
-        sum[i] += factor * term[i];
-}
-
 static void evaluate_wrinkles(const pattern_input *in, double *value)
 {
-    SIMD_ALIGNED double term[LANES_MAX];
-    double scale = 1.0;
-
-    memset(value, 0, in->n * sizeof *value);
-    for (int octave = 0; octave < WRINKLES; octave++, scale *= 2.0) {
-        noise_terms(in->noise, in->generator, in->at, scale, true, in->n, term);
-        add(0.5 / scale, term, in->n, value);
-    }
+    noise_octaves(in->noise, in->generator, in->at, 1.0, WRINKLES, false, in->n, value);
 }
 
 SIMD_CLONES static void add_size(double factor, const double *restrict term, uint32_t n, double *restrict sum)
@@ -90,22 +77,9 @@ static void perturb_wrinkles(const pattern_input *in, double amount, vec_lanes *
     }
 }
 
-SIMD_CLONES static void add_fold(double factor, const double *restrict term, uint32_t n, double *restrict sum)
-{
-    for (uint32_t i = 0; i < n; i++)
-        sum[i] += factor * fabs(0.5 - term[i]);
-}
-
 static void evaluate_granite(const pattern_input *in, double *value)
 {
-    SIMD_ALIGNED double term[LANES_MAX];
-    double scale = 1.0;
-
-    memset(value, 0, in->n * sizeof *value);
-    for (int octave = 0; octave < GRANITE; octave++, scale *= 2.0) {
-        noise_terms(in->noise, in->generator, in->at, 4.0 * scale, true, in->n, term);
-        add_fold(1.0 / scale, term, in->n, value);
-    }
+    noise_octaves(in->noise, in->generator, in->at, 4.0, GRANITE, true, in->n, value);
 }
 
 const pattern_class pattern_bozo = { .keyword = "bozo", .map = bozo_map, .map_count = 8, .flags = PATTERN_NEEDS_NOISE, .evaluate = evaluate_noise };
