@@ -8,6 +8,10 @@ static void colours(const pattern_input *in, pigment *out)
 {
     const image_map *map = in->of->self;
 
+    if (image_has_lanes(map)) {
+        image_colours(map, in->at, in->n, out);
+        return;
+    }
     for (uint32_t i = 0; i < in->n; i++)
         out[i] = image_colour(map, image_place_at(map, lanes_at(in->at, i)));
 }

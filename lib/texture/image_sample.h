@@ -2,6 +2,7 @@
 #ifndef TEXTURE_IMAGE_SAMPLE_H
 #define TEXTURE_IMAGE_SAMPLE_H
 
+#include "base/lanes.h"
 #include "model/image.h"
 
 /* Where a point lies on an image: 0..1 from the left and from the bottom, repeating. */
@@ -10,6 +11,9 @@ typedef struct image_place { double u, v; bool is_outside; } image_place;   /* o
 image_place image_place_at(const image_map *map, pov_vec3 point);
 /* Decoded, with the map's filter and transmit. */
 pigment image_colour(const image_map *map, image_place at);
+/* The same of n points side by side, where image_has_lanes(); those up to lanes_whole(n) are there. */
+bool image_has_lanes(const image_map *map);
+void image_colours(const image_map *map, const vec_lanes *at, uint32_t n, pigment *out);
 /* The brightness of the colour. */
 double image_grey(const image_map *map, image_place at);
 /* The number that a pixel stands for: of its palette's entry, or 0 to 255 of red or grey. Interpolated where the map is. */
