@@ -111,7 +111,7 @@ static void add_light_source(lighting *l, const scene_light *from)
     reflect(l, from, &l->finishes, &s, &in);
     if (l->count > 0)
         add_visible(l, from, &s, &in);
-    if (named)
+    if (named && !sided)         /* else the next light names them again */
         shadow_name_origins(l, NULL);
     c->failed = c->failed || query_context_failed(c->context);
 }

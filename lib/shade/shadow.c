@@ -133,25 +133,33 @@ void shadow_name_origins(lighting *l, const double *cosines)
     }
 }
 
-/* Components of directions along the normals, and bounds of their lengths: the sums of their components' sizes. */
-SIMD_CLONES static void project(const vec_lanes *restrict dir, const vec_lanes *restrict normal, uint32_t n,
-                                double *restrict along, double *restrict length)
+/* Which side of their surfaces directions go to: to that of the normal, the other, or neither, as in world_origin_aim(). The
+ * sum of a direction's components' sizes is a bound of its length. */
+enum { SIDE_NEITHER, SIDE_UP, SIDE_DOWN };
+
+SIMD_CLONES static void find_sides(const vec_lanes *restrict dir, const vec_lanes *restrict normal, uint32_t n,
+                                   int64_t *restrict side)
 {
     for (uint32_t i = 0; i < n; i++) {
-        along[i] = dir->x[i] * normal->x[i] + dir->y[i] * normal->y[i] + dir->z[i] * normal->z[i];
-        length[i] = fabs(dir->x[i]) + fabs(dir->y[i]) + fabs(dir->z[i]);
+        const double along = dir->x[i] * normal->x[i] + dir->y[i] * normal->y[i] + dir->z[i] * normal->z[i];
+        const double least = WORLD_GRAZING * (fabs(dir->x[i]) + fabs(dir->y[i]) + fabs(dir->z[i]));
+        const int64_t down = -along > least ? SIDE_DOWN : SIDE_NEITHER;
+
+        side[i] = along > least ? SIDE_UP : down;
     }
 }
 
 /* The same where the shading normal does not tell the side of a ray: the geometric one does. */
 void shadow_name_sides(lighting *l, const uint8_t *lanes, uint32_t count, const vec_lanes *dir)
 {
-    SIMD_ALIGNED double along[LANES_MAX], length[LANES_MAX];
+    static const uint32_t names[2][3] = { { 0, POV_MARK_INWARD, POV_MARK_OUTWARD }, { 0, POV_MARK_OUTWARD, POV_MARK_INWARD } };
+    SIMD_ALIGNED int64_t side[LANES_MAX];
 
-    project(dir, &l->on->geometry.to.normal, lanes_whole(l->on->count), along, length);
+    find_sides(dir, &l->on->geometry.to.normal, lanes_whole(l->on->count), side);
     for (uint32_t k = 0; k < count; k++) {
         const uint32_t i = lanes[k];
+        const hit *h = l->on->at[i].at;
 
-        world_origin_aim(&l->own[i], l->on->at[i].at, along[i], length[i]);
+        l->own[i].origin_mark.flags = h->crossing.mark.flags | names[h->outside][side[i]];
     }
 }
