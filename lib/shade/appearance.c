@@ -1,5 +1,8 @@
 #include "shade/appearance.h"
 
+/* As fmaxf(), which would be a call. */
+static inline float larger(float a, float b) { return a > b || b != b ? a : b; }
+
 /* Fraction of ambient and diffuse light of a transparent surface. Negative if filter and transmit are more than 1
  * together, as in POV-Ray. */
 static float opacity_of(const model *m, const pigment *of)
@@ -7,7 +10,7 @@ static float opacity_of(const model *m, const pigment *of)
     float filter = of->filter;
 
     if (m->opacity_uses_filter_colour)
-        filter *= fmaxf(of->color.r, fmaxf(of->color.g, of->color.b));
+        filter *= larger(of->color.r, larger(of->color.g, of->color.b));
     return 1.0f - filter - of->transmit;
 }
 
@@ -49,14 +52,20 @@ void onward_set_filter(onward *out, const model *m, colour by)
     out->dark = m->opaque_dark_filters && appearance_is_dark(m, by);
 }
 
+static inline colour emitted_by(const model *m, const finish *f, const pigment *at, float opacity)
+{
+    const colour ambient = colour_mul(colour_scale(colour_mul(f->ambient, at->color), opacity), m->ambient_light);
+
+    return colour_add(ambient, colour_scale(colour_mul(f->emission, at->color), opacity));
+}
+
 void appearance_light_of(appearance_light *out, const model *m, const finish *f, const pigment *at, bool upper)
 {
     const bool colourless = upper && m->upper_layers_are_colourless;
     const float all = at->filter + at->transmit;
 
     out->opacity = colourless ? 1.0f - all : opacity_of(m, at);
-    out->emitted = colour_mul(colour_scale(colour_mul(f->ambient, at->color), out->opacity), m->ambient_light);
-    out->emitted = colour_add(out->emitted, colour_scale(colour_mul(f->emission, at->color), out->opacity));
+    out->emitted = emitted_by(m, f, at, out->opacity);
     out->filter = colourless ? colour_of(all, all, all) : material_filter_of(at->color, at->filter, at->transmit);
 }
 
@@ -65,23 +74,29 @@ bool appearance_transmits(const plan *p, const pigment *at)
     return p->transmission && (at->filter != 0.0f || at->transmit != 0.0f);
 }
 
-/* Members that depend on the pigment. */
-static void paint(appearance *out, const plan *p, const model *m, const pigment *at, bool upper)
+/* Members that depend on the pigment, but for the filter. */
+static inline void set_pigment(appearance *out, const plan *p, const pigment *at, float opacity, colour emitted)
 {
     const finish *f = out->finish;
-    appearance_light own;
 
-    appearance_light_of(&own, m, f, at, upper);
     out->transmissive = appearance_transmits(p, at);
     out->pigment = at->color;
-    out->opacity = own.opacity;
-    out->diffuse_weight = own.opacity * f->diffuse;
+    out->opacity = opacity;
+    out->diffuse_weight = opacity * f->diffuse;
     out->below_weight = 0.0f;
     if (p->subsurface && !colour_is_black(f->translucency)) {
         out->below_weight = out->diffuse_weight;
         out->diffuse_weight = 0.0f;
     }
-    out->emitted = own.emitted;
+    out->emitted = emitted;
+}
+
+static void paint(appearance *out, const plan *p, const model *m, const pigment *at, bool upper)
+{
+    appearance_light own;
+
+    appearance_light_of(&own, m, out->finish, at, upper);
+    set_pigment(out, p, at, own.opacity, own.emitted);
     onward_set_filter(&out->onward, m, own.filter);
 }
 
@@ -127,11 +142,27 @@ void appearance_set_material(appearance *out, const material *of)
         out->kinds |= FINISH_BACK;
 }
 
+/* Only for metals the colour of the highlight, and so its cut-off, depends on the pigment. */
+static inline void set_cutoff(appearance *out, const pigment *at)
+{
+    if (out->phong != 0.0f && out->finish->metallic != 0.0f)
+        out->highlight_cutoff = cutoff_of(out->finish, at->color);
+}
+
 void appearance_paint(appearance *out, const plan *p, const model *m, const appearance *of, const pigment *at, bool upper)
 {
     *out = *of;
     paint(out, p, m, at, upper);
-    /* Only for metals the colour of the highlight, and so its cut-off, depends on the pigment. */
-    if (of->phong != 0.0f && of->finish->metallic != 0.0f)
-        out->highlight_cutoff = cutoff_of(of->finish, at->color);
+    set_cutoff(out, at);
+}
+
+void appearance_repaint(appearance *out, const plan *p, const model *m, const pigment *at)
+{
+    const bool solid = at->filter == 0.0f && at->transmit == 0.0f;
+    const float opacity = solid ? 1.0f : opacity_of(m, at);
+
+    set_pigment(out, p, at, opacity, emitted_by(m, out->finish, at, opacity));
+    if (out->transmissive)
+        onward_set_filter(&out->onward, m, material_filter_of(at->color, at->filter, at->transmit));
+    set_cutoff(out, at);
 }

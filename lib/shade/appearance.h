@@ -69,5 +69,7 @@ void onward_set_filter(onward *out, const model *m, colour by);
 void appearance_set_material(appearance *out, const material *of);
 /* The same for another pigment; upper: it is a layer upon another. */
 void appearance_paint(appearance *out, const plan *p, const model *m, const appearance *of, const pigment *at, bool upper);
+/* The same of one that has the finish, and is no layer: without the filter where no ray goes through. */
+void appearance_repaint(appearance *out, const plan *p, const model *m, const pigment *at);
 
 #endif

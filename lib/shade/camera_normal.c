@@ -14,14 +14,13 @@ void camera_normal_apply(const model *m, const double *x, const double *y, uint3
     vec_lanes bent;
 
     points.parts = NULL;
-    points.has_surface = true;
+    points.has_surface = points.in_world = true;
     for (uint32_t i = 0; i < n; i++) {
         texture_point(NULL, pov_vec3_of(x[i], y[i], 0.0), zero, i, &points);
         lanes_put(&bent, i, unit_of(&rays[i]));
         lanes_put(&points.normal, i, lanes_at(&bent, i));
         lanes_put(&points.view, i, lanes_at(&bent, i));
         lanes_put(&points.uv, i, zero);
-        points.linear[i] = NULL;
     }
     normal_eval(m, m->camera_normal, NULL, &points, n, &bent);
     for (uint32_t i = 0; i < n; i++)

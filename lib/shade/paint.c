@@ -65,7 +65,7 @@ static void begin(group *g, const texture *of)
     g->texture = of;
     g->count = 0;
     g->points.parts = g->parts;
-    g->points.has_surface = false;
+    g->points.has_surface = g->points.in_world = false;
 }
 
 static void add_point(group *g, const shading *scene, const hit *h)
@@ -102,6 +102,35 @@ static void add(group *g, const shading *scene, const surfaces *s, uint32_t lane
     g->lane[g->count++] = (uint8_t)lane;
 }
 
+/* As a rule all surfaces of a batch are of one material, whose texture is written in the world: their points stand there by
+ * lane. The others are added one by one. */
+static bool are_alike(const shading *scene, const surfaces *s)
+{
+    const appearance *first = s->at[0].appearance;
+    const size_t own = scene->model->leaves.count;
+    bool alike = scene->model->texture_maps.count == 0 && first->varies && !first->stack && !first->material->inside &&
+                 first->material->texture->blend != BLEND_PARTS;
+
+    for (uint32_t i = 0; alike && i < s->count; i++)
+        alike = s->at[i].appearance == first && s->at[i].at->object < own;
+    return alike;
+}
+
+static void add_all(group *g, const shading *scene, const surfaces *s)
+{
+    g->points.at = s->geometry.to.point;
+    g->points.at_lo = s->geometry.to.point_lo;
+    g->points.normal = *s->geometry.raw;
+    g->points.has_surface = g->points.in_world = true;
+    for (; g->count < s->count && (scene->uvs || scene->views); g->count++) {
+        if (scene->uvs)
+            add_uv(g, scene, s->at[g->count].at);
+        if (scene->views)
+            lanes_put(&g->points.view, g->count, pov_unit(s->at[g->count].ray->dir));
+    }
+    g->count = s->count;
+}
+
 /* ---- terms ---- */
 
 /* The texture of the side that the ray meets. */
@@ -125,27 +154,40 @@ static uint64_t varying(const surfaces *s)
     return lanes;
 }
 
+/* Of these lanes those of the first one's texture are added. Returns the others. */
+static uint64_t add_some(group *g, const shading *scene, const surfaces *s, uint64_t lanes)
+{
+    uint64_t rest = lanes;
+
+    begin(g, texture_at(scene, &s->at[first_of64(lanes)], s->rays[first_of64(lanes)]));
+    for (; lanes; lanes &= lanes - 1) {
+        const uint32_t i = first_of64(lanes);
+
+        if (texture_at(scene, &s->at[i], s->rays[i]) != g->texture)
+            continue;
+        add(g, scene, s, i);
+        rest &= ~((uint64_t)1 << i);
+    }
+    return rest;
+}
+
 /* The terms of all of them, one texture after the other. Returns their number. */
 static uint32_t evaluate(const shading *scene, const surfaces *s, painted *p)
 {
     uint32_t count = 0;
     group g;
 
+    if (!scene->uvs)
+        memset(&g.points.uv, 0, sizeof g.points.uv);
+    if (s->count > 0 && are_alike(scene, s)) {
+        begin(&g, s->at[0].appearance->material->texture);
+        add_all(&g, scene, s);
+        return texture_eval(scene->model, g.texture, &g.points, g.count, p->terms);
+    }
     for (uint64_t rest = varying(s); rest;) {
-        const surface *first = &s->at[first_of64(rest)];
         uint32_t n;
 
-        begin(&g, texture_at(scene, first, s->rays[first_of64(rest)]));
-        if (!scene->uvs)
-            memset(&g.points.uv, 0, sizeof g.points.uv);
-        for (uint64_t lanes = rest; lanes; lanes &= lanes - 1) {
-            const uint32_t i = first_of64(lanes);
-
-            if (texture_at(scene, &s->at[i], s->rays[i]) != g.texture)
-                continue;
-            add(&g, scene, s, i);
-            rest &= ~((uint64_t)1 << i);
-        }
+        rest = add_some(&g, scene, s, rest);
         n = texture_eval(scene->model, g.texture, &g.points, g.count, p->terms + count);
         for (uint32_t i = 0; i < n; i++, count++)
             p->terms[count].lane = g.lane[p->terms[count].lane];
@@ -153,11 +195,25 @@ static uint32_t evaluate(const shading *scene, const surfaces *s, painted *p)
     return count;
 }
 
+/* One term for each surface, as a rule in their order. False: not so. */
+static bool are_in_order(painted *p, uint32_t count)
+{
+    for (uint32_t i = 0; i < count; i++) {
+        if (p->terms[i].lane != i)
+            return false;
+        p->order[i] = p->first[i] = i;
+    }
+    p->first[count] = count;
+    return true;
+}
+
 /* Terms of a surface stay in their order. */
 static void sort(painted *p, uint32_t count, uint32_t surface_count)
 {
     uint32_t next[BATCH_MAX];
 
+    if (count == surface_count && are_in_order(p, count))
+        return;
     for (uint32_t i = 0; i <= surface_count; i++)
         p->first[i] = 0;
     for (uint32_t i = 0; i < count; i++)
@@ -269,24 +325,52 @@ pov_vec3 paint_normal(const surfaces *s, uint32_t lane, const texture_term *t)
     return t && t->bent ? t->normal : lanes_at(s->geometry.raw, lane);
 }
 
-void paint_surfaces(const shading *scene, surfaces *s, const painted *p)
+/* The term of a surface that is one. NULL: its texture is constant, or its terms are as one. */
+static inline const texture_term *term_of(const painted *p, uint32_t i)
+{
+    return p->first[i + 1] > p->first[i] && !paint_is_merged(p, i) ? &p->terms[p->order[p->first[i]]] : NULL;
+}
+
+/* Bit i: the normal of surface i is bent, and there. */
+static void set_bent(surfaces *s, uint64_t bent)
 {
     geometry *g = &s->geometry;
-    bool bent = false;
+
+    for (uint64_t others = ~bent & ~(uint64_t)0 >> (BATCH_MAX - s->count); others; others &= others - 1)
+        lanes_put(&g->bent, first_of64(others), lanes_at(g->raw, first_of64(others)));
+    g->shading = &g->bent;
+}
+
+/* Where nothing else writes to it, what is painted over an appearance of the same finish and material is all that differs. */
+void paint_surfaces(const shading *scene, surfaces *s, const painted *p)
+{
+    const bool keeps = scene->most_terms == 1;
+    const finish *last = NULL;
+    const appearance *of = NULL;
+    uint64_t bent = 0;
 
     for (uint32_t i = 0; i < s->count; i++) {
-        const bool has_term = p->first[i + 1] > p->first[i] && !paint_is_merged(p, i);
-        const texture_term *t = has_term ? &p->terms[p->order[p->first[i]]] : NULL;
+        const texture_term *t = term_of(p, i);
+        const material *own = s->at[i].appearance->material;
+        appearance *out = &s->varying[i];
 
-        if (t) {
-            paint_appearance(scene, &s->at[i], t, false, &s->varying[i]);
-            s->at[i].appearance = &s->varying[i];
-            bent |= t->bent;
+        if (!t)
+            continue;
+        if (t->finish != last)
+            of = shading_finish(scene, last = t->finish);
+        if (!keeps || out->finish != last || out->material != own) {
+            *out = *of;
+            appearance_set_material(out, own);
         }
-        lanes_put(&g->bent, i, paint_normal(s, i, t));
+        appearance_repaint(out, scene->plan, scene->model, &t->pigment);
+        s->at[i].appearance = out;
+        if (!t->bent)
+            continue;
+        lanes_put(&s->geometry.bent, i, t->normal);
+        bent |= (uint64_t)1 << i;
     }
     if (bent)
-        g->shading = &g->bent;
+        set_bent(s, bent);
 }
 
 /* The place of a single hit; its normal is given as it is turned. */

@@ -92,34 +92,63 @@ static bool map_of_pattern(const model *m, const pattern *p, normal_map *out)
     return has_map;
 }
 
-static pov_vec3 enter(const normal_map *map, pov_vec3 v)
+SIMD_INLINE pov_vec3 enter(const normal_map *map, pov_vec3 v)
 {
     return pov_vec3_of(map->with[0][0] * v.x + map->with[0][1] * v.y + map->with[0][2] * v.z,
                        map->with[1][0] * v.x + map->with[1][1] * v.y + map->with[1][2] * v.z,
                        map->with[2][0] * v.x + map->with[2][1] * v.y + map->with[2][2] * v.z);
 }
 
-static pov_vec3 leave(const normal_map *map, pov_vec3 v)
+SIMD_INLINE pov_vec3 leave(const normal_map *map, pov_vec3 v)
 {
     return pov_vec3_of(map->to[0][0] * v.x + map->to[1][0] * v.y + map->to[2][0] * v.z,
                        map->to[0][1] * v.x + map->to[1][1] * v.y + map->to[2][1] * v.z,
                        map->to[0][2] * v.x + map->to[1][2] * v.y + map->to[2][2] * v.z);
 }
 
-static void enter_all(const normal_map *map, uint32_t n, vec_lanes *normal)
+SIMD_CLONES static void enter_all(const normal_map *restrict map, uint32_t n, vec_lanes *restrict normal)
 {
     for (uint32_t i = 0; i < n; i++)
         lanes_put(normal, i, enter(map, lanes_at(normal, i)));
 }
 
-static void leave_all(const normal_map *map, uint32_t n, vec_lanes *normal)
+SIMD_CLONES static void leave_all(const normal_map *restrict map, uint32_t n, vec_lanes *restrict normal)
 {
     for (uint32_t i = 0; i < n; i++)
         lanes_put(normal, i, leave(map, lanes_at(normal, i)));
 }
 
+/* Lengths by lane, as pov_unit() finds them. False: some square is out of range. */
+SIMD_CLONES static bool find_lengths(uint32_t n, const vec_lanes *restrict v, double *restrict length)
+{
+    int64_t plain = -1;
+
+    for (uint32_t i = 0; i < n; i++) {
+        const double square = v->x[i] * v->x[i] + v->y[i] * v->y[i] + v->z[i] * v->z[i];
+
+        plain &= (square >= 1e-239) & (square <= 1e239) ? -1 : 0;
+        length[i] = sqrt(square);
+    }
+    return plain != 0;
+}
+
+SIMD_CLONES static void divide(const double *restrict by, uint32_t n, vec_lanes *restrict v)
+{
+    for (uint32_t i = 0; i < n; i++) {
+        v->x[i] /= by[i];
+        v->y[i] /= by[i];
+        v->z[i] /= by[i];
+    }
+}
+
 static void make_unit(uint32_t n, vec_lanes *normal)
 {
+    SIMD_ALIGNED double length[LANES_MAX];
+
+    if (find_lengths(n, normal, length)) {
+        divide(length, n, normal);
+        return;
+    }
     for (uint32_t i = 0; i < n; i++)
         lanes_put(normal, i, pov_unit(lanes_at(normal, i)));
 }
@@ -350,12 +379,12 @@ void normal_eval(const model *m, const normal_node *of, const normal_blend *arou
     const pattern *first = outermost(of, around);
     const bool turns = !(first && first->uv && !first->uv_turns && points->has_surface);
 
-    if (turns)
+    if (turns && !points->in_world)
         to_objects(points, n, normal, false);
     enter_blends(m, around, n, !of || of->is_scaled, normal);
     eval(m, of, points, n, true, normal);
     leave_blends(m, around, n, normal);
-    if (turns)
+    if (turns && !points->in_world)
         to_objects(points, n, normal, true);
     make_unit(n, normal);
 }

@@ -35,43 +35,45 @@ void texture_point(const inverse_map *map, pov_vec3 point, pov_vec3 point_lo, ui
     lanes_put(&out->at_lo, lane, pov_two3_lo(p));
 }
 
-/* Does each coordinate come of its own one alone? Then the other products are zeros, and the sums without them the same. */
-static bool is_diagonal(const inverse_map *map)
+/* Does each coordinate come of one alone, as where nothing is turned but by right angles? Then the other products are zeros,
+ * and the sums without them the same. */
+static bool is_straight(const linear_map *l, int from[3])
 {
-    const linear_map *l = map->linear;
     double beside = 0.0;
 
-    for (int i = 0; i < 3; i++)
+    for (int i = 0; i < 3; i++) {
+        from[i] = 0;
+        for (int k = 1; k < 3; k++)
+            from[i] = fabs(l->m[i][k]) > fabs(l->m[i][from[i]]) ? k : from[i];
         for (int k = 0; k < 3; k++)
-            beside += i == k ? 0.0 : fabs(l->m[i][k]) + fabs(l->m_lo[i][k]);
+            beside += k == from[i] ? 0.0 : fabs(l->m[i][k]) + fabs(l->m_lo[i][k]);
+    }
     return beside == 0.0;
 }
 
-SIMD_INLINE pov_two along_own(const inverse_map *map, int row, double p, double p_lo)
-{
-    const pov_two by = pov_two_of(map->linear->m[row][row], map->linear->m_lo[row][row]);
-
-    return pov_two_add(pov_two_mul(by, pov_two_of(p, p_lo)), pov_two_of(map->move[row], map->move_lo[row]));
-}
-
-SIMD_INLINE pov_two3 to_own_space(const inverse_map *map, const vec_lanes *at, const vec_lanes *at_lo, uint32_t i)
-{
-    pov_two3 out;
-
-    out.x = along_own(map, 0, at->x[i], at_lo->x[i]);
-    out.y = along_own(map, 1, at->y[i], at_lo->y[i]);
-    out.z = along_own(map, 2, at->z[i], at_lo->z[i]);
-    return out;
-}
-
-SIMD_CLONES static void scale_points(const inverse_map *restrict map, const vec_lanes *restrict at,
-                                     const vec_lanes *restrict at_lo, uint32_t n, vec_lanes *restrict out)
+/* One coordinate, rounded once. There is at least one point. */
+SIMD_CLONES static void scale_axis(pov_two by, pov_two move, const double *restrict at, const double *restrict at_lo, uint32_t n,
+                                   double *restrict out)
 {
     uint32_t i = 0;
 
     do
-        lanes_put(out, i, pov_two3_hi(to_own_space(map, at, at_lo, i)));
+        out[i] = pov_two_add(pov_two_mul(by, pov_two_of(at[i], at_lo[i])), move).hi;
     while (++i < n);
+}
+
+static const double *axis_of(const vec_lanes *l, int axis) { return axis == 0 ? l->x : axis == 1 ? l->y : l->z; }
+
+static void scale_points(const inverse_map *map, const int from[3], const vec_lanes *at, const vec_lanes *at_lo, uint32_t n, vec_lanes *out)
+{
+    double *const to[3] = { out->x, out->y, out->z };
+
+    for (int i = 0; i < 3; i++) {
+        const int k = from[i];
+        const pov_two by = pov_two_of(map->linear->m[i][k], map->linear->m_lo[i][k]);
+
+        scale_axis(by, pov_two_of(map->move[i], map->move_lo[i]), axis_of(at, k), axis_of(at_lo, k), n, to[i]);
+    }
 }
 
 /* The points in the pattern's own space, rounded once. There is at least one: with a loop that tests first, compilers
@@ -106,6 +108,7 @@ static void map_all(const inverse_map *map, const texture_points *in, bool uv, u
 {
     const vec_lanes *from = uv ? &in->uv : &in->at, *from_lo = &in->at_lo;
     vec_lanes zero;
+    int axes[3];
 
     if (uv) {
         clear(&zero);
@@ -113,8 +116,10 @@ static void map_all(const inverse_map *map, const texture_points *in, bool uv, u
     }
     if (map && lo) {
         map_points_exactly(map, from, from_lo, n, at, lo);
+    } else if (map && is_straight(map->linear, axes)) {
+        scale_points(map, axes, from, from_lo, n, at);
     } else if (map) {
-        (is_diagonal(map) ? scale_points : map_points)(map, from, from_lo, n, at);
+        map_points(map, from, from_lo, n, at);
     } else {
         *at = *from;
         if (lo)
@@ -145,7 +150,9 @@ static void copy_surface(const texture_points *in, uint32_t n, texture_points *o
     out->uv = in->uv;
     out->normal = in->normal;
     out->view = in->view;
-    memcpy(out->linear, in->linear, n * sizeof in->linear[0]);
+    out->in_world = in->in_world;
+    if (!in->in_world)
+        memcpy(out->linear, in->linear, n * sizeof in->linear[0]);
 }
 
 void points_enter(const model *m, const pattern *p, const texture_points *in, uint32_t n, texture_points *out)
@@ -170,7 +177,8 @@ void points_pick(const texture_points *in, const uint8_t *lane, uint32_t n, text
     pick(&in->uv, lane, n, &out->uv);
     pick(&in->normal, lane, n, &out->normal);
     pick(&in->view, lane, n, &out->view);
-    for (uint32_t i = 0; i < n; i++)
+    out->in_world = in->in_world;
+    for (uint32_t i = 0; !in->in_world && i < n; i++)
         out->linear[i] = in->linear[lane[i]];
 }
 

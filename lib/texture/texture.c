@@ -39,8 +39,10 @@ static void put(const part *p, uint32_t i, const texture *layer, const pigment *
 /* Without a surface there is no normal. */
 static void find_normals(const model *m, const texture *layer, const texture_points *points, const part *p, vec_lanes *out)
 {
-    for (uint32_t i = 0; i < p->n; i++)
-        lanes_put(out, i, points->has_surface ? lanes_at(&points->normal, i) : pov_vec3_of(0.0, 0.0, 0.0));
+    if (points->has_surface)
+        *out = points->normal;
+    else
+        memset(out, 0, sizeof *out);
     if (layer->normal && points->has_surface)
         normal_eval(m, layer->normal, p->around, points, p->n, out);
 }

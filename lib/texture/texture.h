@@ -17,6 +17,7 @@ typedef struct texture_points {
     vec_lanes uv;                /* u, v, 0 of the surface */
     vec_lanes normal, view;      /* unit, of the world: the surface's normal, turned against the ray; the ray's direction */
     const linear_map *linear[LANES_MAX]; /* of the map from the world to the space of `at`; NULL: it is the world */
+    bool in_world;               /* all of them are NULL, and are not set */
     const texture_part *parts;   /* by lane of the whole; for BLEND_PARTS only */
     bool has_surface;            /* uv, normals, views and linear parts are there */
 } texture_points;

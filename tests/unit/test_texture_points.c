@@ -1,0 +1,118 @@
+/* Points side by side on their way to patterns and images: the bits of the general way, one by one. */
+#include "support/near.h"
+#include "texture/image_sample.h"
+#include "texture/points.h"
+
+static uint64_t draw(uint64_t *seed)
+{
+    *seed = *seed * 6364136223846793005u + 1442695040888963407u;
+    return *seed >> 11;
+}
+
+static double between(uint64_t *seed, double low, double high) { return low + (high - low) * (double)draw(seed) * 0x1p-53; }
+
+/* ---- the space of a pattern ---- */
+
+/* Is every point the upper part of what double-double arithmetic gives, without a shortcut? */
+static void is_as_exact(double (*entry)(int row, int column))
+{
+    static texture_points in;
+    const vec_lanes *const at = &in.at;
+    vec_lanes found, exact, exact_lo;
+    pov_affine map = { { { 0.0 } }, { { 0.0 } }, { { 0.0 } }, { { 0.0 } } };
+    uint64_t seed = 7;
+    pattern p = { 0 };
+    model m;
+    env e;
+
+    env_init(&e, NULL, NULL, NULL);
+    model_init(&m, &e);
+    for (int i = 0; i < 3; i++)
+        for (int k = 0; k < 4; k++) {
+            map.inv[i][k] = k < 3 ? entry(i, k) : 0.3 * (i + 1);
+            map.inv_lo[i][k] = map.inv[i][k] * 0x1.3p-54;
+        }
+    p.map = map_table_add(&m.kept_maps, &e, &map);
+    p.class = pattern_find("bozo");
+    p.turbulence = turbulence_default();
+    for (uint32_t i = 0; i < LANES_MAX; i++) {
+        lanes_put(&in.at, i, pov_vec3_of(between(&seed, -9.0, 9.0), between(&seed, -9.0, 9.0), between(&seed, -9.0, 9.0)));
+        lanes_put(&in.at_lo, i, pov_scale(lanes_at(at, i), 0x1.7p-55));
+    }
+    points_place(&m, &p, &in, LANES_MAX, &found, NULL);
+    points_place(&m, &p, &in, LANES_MAX, &exact, &exact_lo);
+    assert_memory_equal(&found, &exact, sizeof found);
+    model_free(&m);
+}
+
+static double stretched(int row, int column) { return row == column ? 0.7 + row : 0.0; }
+static double turned(int row, int column) { return column == (row + 1) % 3 ? (row == 1 ? -1.3 : 0.9) : 0.0; }
+static double any(int row, int column) { return 0.3 + 0.7 * row - 0.9 * column; }
+
+static void points_are_rounded_once(void **state)
+{
+    (void)state;
+    is_as_exact(stretched);
+    is_as_exact(turned);
+    is_as_exact(any);
+}
+
+/* ---- images ---- */
+
+enum { WIDTH = 5, HEIGHT = 3, BYTES = 4 * 3 * WIDTH };
+
+static void is_as_alone(image_map *map)
+{
+    pigment found[LANES_MAX];
+    uint64_t seed = 3;
+    vec_lanes at;
+
+    assert_true(image_has_lanes(map));
+    for (uint32_t i = 0; i < LANES_MAX; i++)
+        lanes_put(&at, i, pov_vec3_of(between(&seed, -1.5, 2.5), between(&seed, -1.5, 2.5), 0.0));
+    for (uint32_t i = 0; i < 16; i++)
+        lanes_put(&at, i, pov_vec3_of(0.5 * (i / 4) - 0.5, 0.5 * (i % 4) - 0.5, 0.0));
+    lanes_put(&at, 16, pov_vec3_of(NAN, 0.4, 0.0));
+    lanes_put(&at, 17, pov_vec3_of(0.4, 1e300, 0.0));
+    lanes_put(&at, 18, pov_vec3_of(-1e-300, 1.0 - 0x1p-54, 0.0));
+    image_colours(map, &at, LANES_MAX - 1, found);
+    for (uint32_t i = 0; i + 1 < LANES_MAX; i++) {
+        const pigment alone = image_colour(map, image_place_at(map, lanes_at(&at, i)));
+
+        assert_memory_equal(&found[i], &alone, sizeof alone);
+    }
+}
+
+static void images_are_as_alone(void **state)
+{
+    static const uint32_t bits[] = { 8, 16, 32 };
+    unsigned char bytes[HEIGHT * BYTES];
+    float *const decoded = test_malloc(65536 * sizeof *decoded);
+    uint64_t seed = 11;
+    (void)state;
+
+    for (uint32_t i = 0; i < 65536; i++)
+        decoded[i] = (float)(i / 65535.0 * (i / 65535.0));
+    for (int kind = 0; kind < 3 * 2 * 2 * 2; kind++) {
+        image of = { .width = WIDTH, .height = HEIGHT, .channels = kind & 1 ? 1 : 3, .bits = bits[kind / 8], .stride = BYTES, .samples = bytes };
+        image_map map = { .image = &of, .interpolation = IMAGE_BILINEAR, .once = kind & 2, .filter = 0.1f, .transmit = 0.3f };
+
+        for (uint32_t i = 0; i < sizeof bytes; i++)
+            bytes[i] = (unsigned char)draw(&seed);
+        for (uint32_t i = 0; of.bits == 32 && i < sizeof bytes / sizeof(float); i++)
+            memcpy(bytes + i * sizeof(float), &decoded[draw(&seed) % 65536], sizeof(float));
+        map.decoded = kind & 4 && of.bits < 32 ? decoded : NULL;
+        is_as_alone(&map);
+    }
+    test_free(decoded);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(points_are_rounded_once),
+        cmocka_unit_test(images_are_as_alone),
+    };
+
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
