@@ -64,22 +64,23 @@ static void add_visible(lighting *l, const scene_light *from, const light_sample
         }
 }
 
-/* The light of one source where it arrives at the lit surfaces. True: the rays' origins have been named for it. */
+/* The light of one source where it arrives at the lit surfaces. True: the rays' origins have been named for it alone;
+ * sides are named for each light. */
 static bool arrive(lighting *l, const scene_light *from, light_sample *s, light_lanes *in)
 {
     const geometry *g = &l->on->geometry;
     const light_origin origin = light_own_origin(from->light);
     const light_points at = lighting_points(l);
     const bool sided = geometry_is_bent(g) || brdf_has_back(&l->finishes);
-    bool named;
+    bool grazing;
 
     from->class->incident(from->light, &origin, &at, in);
-    named = brdf_cosines(s, g, &in->dir, lanes_whole(at.n)) || sided;
+    grazing = brdf_cosines(s, g, &in->dir, lanes_whole(at.n));
     if (sided)
         shadow_name_sides(l, l->finishes.lit, l->finishes.count, &in->dir);
-    else if (named)
+    else if (grazing)
         shadow_name_origins(l, s->cosine);
-    return named;
+    return grazing && !sided;
 }
 
 /* Reflect it, and collect the rays to the light. */
@@ -111,7 +112,7 @@ static void add_light_source(lighting *l, const scene_light *from)
     reflect(l, from, &l->finishes, &s, &in);
     if (l->count > 0)
         add_visible(l, from, &s, &in);
-    if (named && !sided)         /* else the next light names them again */
+    if (named)
         shadow_name_origins(l, NULL);
     c->failed = c->failed || query_context_failed(c->context);
 }
