@@ -235,20 +235,41 @@ static void choose_anchor(common_polygon *s, double largest, double off)
     s->box.hi = pov_add(s->box.hi, pov_vec3_of(wider, wider, wider));
 }
 
+/* Programs write coordinates with few digits: corners off the plane by less than this part of the polygon's size are moved. */
+static const double flattened = 1e-3;
+
+/* Move the corners to the nearest points of the plane. */
+static void flatten(const common_polygon *s, common_corner *corners)
+{
+    const pov_vec3 n = pov_two3_hi(s->normal);
+    const double per_length = 1.0 / (pov_dot(n, n) * s->scale);
+
+    for (uint32_t i = 0; i < s->count; i++) {
+        const double off = pov_two3_dot(s->normal, offset_of(s, &corners[i])).hi;
+
+        corners[i].world = pov_sub(corners[i].world, pov_scale(n, off * per_length));
+    }
+}
+
 /* Warn of corners that do not lie in a plane, or that lie on a line. */
 static void project_at(reading *r, common_polygon *s)
 {
-    const double largest = take_corners(s, r->corners, r->count);
-    double off;
+    double largest = take_corners(s, r->corners, r->count), off, part;
 
     if (!(largest > 0.0)) {
         r->host->warn(r->in, "the points of this polygon lie on a line: it is not seen");
         return;
     }
     off = measure(s, r->corners);
+    part = off / pov_largest(pov_sub(s->box.hi, s->box.lo)) / s->scale;
+    if (!(off <= tolerance(s)) && part <= flattened) {
+        r->host->warn(r->in, "the points of this polygon do not lie in a plane, by %g of its size: it is flattened", part);
+        flatten(s, r->corners);
+        largest = take_corners(s, r->corners, r->count);
+        off = measure(s, r->corners);
+    }
     if (!(off <= tolerance(s)))
-        r->host->fail(r->in, "the points of this polygon do not lie in a plane: one is %g of its size off",
-                      off / pov_largest(pov_sub(s->box.hi, s->box.lo)) / s->scale);
+        r->host->fail(r->in, "the points of this polygon do not lie in a plane: one is %g of its size off", part);
     choose_anchor(s, largest, off);
 }
 

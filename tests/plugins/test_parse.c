@@ -91,8 +91,8 @@ static void what_makes_no_shape_is_refused(void **state)
         { "polygon", "3.5, <0, 0, 0>, <1, 0, 0>, <0, 1, 0>", 0, "whole number" },
         { "polygon", "4, <0, 0, 0>, <1, 0, 0>, <0, 1, 0>", 0, "expected" },
         { "polygon", "3, <0, 0, 0>, <1, 0, 0>, <0, 0, 0>", 0, "at least 3 points" },
-        { "polygon", "5, <0, 0, 0>, <1, 0, 0>, <1, 1, 1e-9>, <0, 1, 0>, <0, 0, 0>", 0, "in a plane" },
-        { "polygon", "5, <0, 0, 0>, <1e-6, 0, 0>, <1e-6, 1e-6, 1e-15>, <0, 1e-6, 0>, <0, 0, 0>", 0, "in a plane" },
+        { "polygon", "5, <0, 0, 0>, <1, 0, 0>, <1, 1, .1>, <0, 1, 0>, <0, 0, 0>", 0, "in a plane" },
+        { "polygon", "5, <0, 0, 0>, <1e-6, 0, 0>, <1e-6, 1e-6, 1e-8>, <0, 1e-6, 0>, <0, 0, 0>", 0, "in a plane" },
     };
 
     (void)state;

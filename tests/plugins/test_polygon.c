@@ -99,7 +99,7 @@ static void *tilted(pov_reader *in, int corners, double size, double moved)
     return fake_reader_parse(in, polygon);
 }
 
-static void test_rounding_explains_a_little_and_no_more(void **state)
+static void test_rounding_explains_a_little(void **state)
 {
     pov_reader *in = fake_reader_create();
     int corners;
@@ -110,8 +110,42 @@ static void test_rounding_explains_a_little_and_no_more(void **state)
         assert_non_null(tilted(in, corners, 1e5, 0.0));
         assert_non_null(tilted(in, corners, 1e-3, 0.0));
     }
-    assert_null(tilted(in, 5, 1.0, 1e-11));
-    assert_null(tilted(in, 5, 1e5, 1e-8));
+    fake_reader_destroy(in);
+}
+
+/* The first warning is of the loop that is not closed. */
+static void test_few_digits_are_flattened_and_more_is_an_error(void **state)
+{
+    static const double moved[] = { 1e-11, 1e-6, 5e-4 };
+    pov_reader *in = fake_reader_create();
+
+    (void)state;
+    assert_non_null(tilted(in, 5, 1.0, 0.0));
+    assert_int_equal(fake_reader_warnings(in), 1);
+    for (int i = 0; i < 3; i++) {
+        assert_non_null(tilted(in, 5, 1.0, moved[i]));
+        assert_int_equal(fake_reader_warnings(in), 2);
+        assert_non_null(tilted(in, 50, 1e5, 1e5 * moved[i]));
+        assert_int_equal(fake_reader_warnings(in), 2);
+    }
+    assert_null(tilted(in, 5, 1.0, 1e-2));
+    fake_reader_destroy(in);
+}
+
+/* Seen along its normal a flattened polygon has its corners where they were, and lies within what they were off. */
+static void test_a_flattened_polygon_is_where_its_corners_were(void **state)
+{
+    pov_reader *in = fake_reader_create();
+    const void *self = parse(in, "6, <-1, -1, 0>, <1, -1, 0>, <1.5, 0, 1e-6>, <1, 1, 0>, <-1, 1, 0>, <-1, -1, 0>");
+    pov_crossing at = { 0 };
+    pov_hits hits = { .tmax = HUGE_VAL, .want = POV_WANT_NEAREST, .at = &at };
+    const pov_ray ray = { .org = { 1.49, 0.0, -5.0 }, .dir = { 0.0, 0.0, 1.0 }, .origin_surface = POV_NO_OWNER };
+
+    (void)state;
+    assert_non_null(self);
+    polygon->intersect(self, &ray, &hits);
+    assert_int_equal(hits.count, 1);
+    assert_true(fabs(at.t - 5.0) <= 2e-6);
     fake_reader_destroy(in);
 }
 
@@ -121,7 +155,9 @@ int main(void)
         cmocka_unit_test(test_a_bow_tie_has_a_plane_though_its_area_is_zero),
         cmocka_unit_test(test_loops_that_cancel_are_seen),
         cmocka_unit_test(test_the_middle_of_a_star_and_a_hole_are_open),
-        cmocka_unit_test(test_rounding_explains_a_little_and_no_more),
+        cmocka_unit_test(test_rounding_explains_a_little),
+        cmocka_unit_test(test_few_digits_are_flattened_and_more_is_an_error),
+        cmocka_unit_test(test_a_flattened_polygon_is_where_its_corners_were),
     };
 
     polygon = fake_reader_shape("polygon");
