@@ -93,14 +93,23 @@ void directive_step(pov_reader *in)
         state_look(in);
 }
 
+/* POV-Ray leaves a '#' out before the words of a scene. */
+static bool is_left_out(pov_reader *in)
+{
+    symbol *word = in->token.kind == TOKEN_WORD ? in->token.symbol : NULL;
+
+    return in->token.kind == '}' || in->token.kind == '#' ||
+           (word && (word->id != KEYWORD_OTHER || word->binding || parse_shape_class(in, word)));
+}
+
 static void fail_unknown(pov_reader *in, const place *hash)
 {
     char word[REPORT_QUOTE];
     guess g;
     int i;
 
-    if (in->token.kind == '}') {
-        report_warn(in, hash, "a \"#\" that nothing follows");
+    if (is_left_out(in)) {
+        report_warn(in, hash, "a \"#\" that no directive follows is left out");
         return;
     }
     if (in->token.kind != TOKEN_WORD) {

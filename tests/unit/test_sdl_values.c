@@ -165,6 +165,19 @@ static void the_word_color_alone_is_black_with_a_warning(void **state)
     reading_end(&r);
 }
 
+static void a_hash_before_words_of_the_scene_is_left_out(void **state)
+{
+    reading r;
+
+    (void)state;
+    reading_begin(&r, "#background { #rgb .5 } ##declare S = #sphere { 0, 1 pigment { #rgb 1 } } #S #global_settings { max_trace_level 7 }");
+    assert_int_equal(r.status, POV_OK);
+    assert_int_equal(r.model.warnings, 7);
+    assert_int_equal(r.model.leaves.count, 1);
+    assert_int_equal(r.model.max_trace_level, 7);
+    reading_end(&r);
+}
+
 static void the_default_texture_is_that_of_the_statement(void **state)
 {
     reading r;
@@ -204,6 +217,7 @@ int main(void)
         cmocka_unit_test(a_bare_vector_is_a_colour_where_nothing_else_can_stand),
         cmocka_unit_test(a_value_may_begin_with_a_colours_name),
         cmocka_unit_test(the_word_color_alone_is_black_with_a_warning),
+        cmocka_unit_test(a_hash_before_words_of_the_scene_is_left_out),
         cmocka_unit_test(the_default_texture_is_that_of_the_statement),
         cmocka_unit_test(a_background_is_darkened_by_what_it_transmits),
     };
