@@ -1,5 +1,5 @@
 #!/bin/sh
-# Scenes as Jmol, Open Babel and Inkscape write them, each where it is installed. Usage: others.sh FOLDER
+# Scenes as Jmol, Open Babel, Inkscape, DRAWxtl, Voro++ and polymake write them, each where it is installed. Usage: others.sh FOLDER
 cd "$1" || exit 1
 have() {
     command -v "$1" > /dev/null || { echo "programs: $1 is not installed: its scenes are left out" >&2; return 1; }
@@ -44,4 +44,45 @@ camera { location <100, 100, -250> look_at <100, 100, 0> }
 light_source { <0, 300, -300> rgb 1 }
 END
 fi
-rm -f molecule.xyz script.spt drawing.svg
+if have DRAWxtl55 && have xvfb-run; then
+    cat > drawxtl_salt.str <<'END'
+title rock salt
+cell 5.64 5.64 5.64 90 90 90
+spgr f m 3 m
+pack -.1 1.1 -.1 1.1 -.1 1.1
+atom Na 1 0 0 0
+atom Cl 1 .5 .5 .5
+polysz Na 3 Gray60
+sphere Na 1 .5 Red
+sphere Cl 1 .3 Green
+bond Na Cl .1 2 3 White
+end
+END
+    timeout 60 xvfb-run -a DRAWxtl55 drawxtl_salt.str < /dev/null > /dev/null 2>&1
+    rm -f drawxtl_salt.[!p]*
+fi
+if have voro++; then
+    awk 'BEGIN { srand(3); for (i = 0; i < 60; i++) print i, rand(), rand(), rand() }' > cells
+    voro++ -y 0 1 0 1 0 1 cells
+    mv cells_p.pov cells_p.inc
+    mv cells_v.pov cells_v.inc
+    cat > voro_cells.pov <<'END'
+#version 3.6;
+camera { location <2, -3, 2> sky z right -.5*x*image_width/image_height up .5*z look_at .5 }
+background { rgb 1 }
+light_source { <-8, -20, 30> color rgb <.77, .75, .75> }
+#declare r = .015;
+#declare s = .05;
+union { #include "cells_p.inc" pigment { rgb .95 } finish { reflection .1 specular .3 } }
+union { #include "cells_v.inc" pigment { rgb <1, .4, .45> } finish { specular .5 ambient .42 } }
+END
+fi
+if have polymake; then
+    printf 'use application "polytope";\n%s\n' \
+        'povray(dodecahedron()->VISUAL(FacetColor => "255 100 50", FacetTransparency => .4), File => "polymake_solid");' > solid.pl
+    polymake --script solid.pl < /dev/null > /dev/null 2>&1
+    scene=$(sed -n 's/^#include "\(.*polymake-scene.pov\)"/\1/p' polymake_solid.pov)
+    cp "$scene" polymake-scene.inc
+    sed -i 's/^#include ".*polymake-scene.pov"/#include "polymake-scene.inc"/' polymake_solid.pov
+fi
+rm -f molecule.xyz script.spt drawing.svg cells cells.vol solid.pl

@@ -2,7 +2,8 @@
 """Scenes as programs write them today, drawn by povc and by POV-Ray.
 
 The programs are installed where they can be: ASE, PyMOL, VTK and vapory from PyPI into a folder of their own; Jmol, Open
-Babel and Inkscape are used where the system has them (Debian: jmol xvfb openbabel inkscape). Then the calls by which
+Babel, Inkscape, DRAWxtl, Voro++ and polymake are used where the system has them (Debian: jmol xvfb openbabel inkscape
+drawxtl voro++ polymake). Then the calls by which
 ASE, vapory and PyMOL render are made with povc under the name `povray`, and tests/corpus/corpus.py compares the scenes.
 """
 import argparse
