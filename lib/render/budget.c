@@ -34,14 +34,34 @@ static uint32_t next_rung(uint32_t n)
     return n < power + power / 2 ? power + power / 2 : 2 * power;
 }
 
-static bool set_all(cells *c, uint32_t target)
+/* Samples of a cell before its error may be found too small to be seen: below a step of a picture of 8 bits, whose curve has a
+ * slope of about 1/2 for light 1, and in inverse proportion to the light's root below. */
+enum { ENOUGH_LEAST = 16 };
+static const double least_step = 4.0 / (255.0 * 255.0);   /* squared, per light */
+
+/* The error of the cell alone is asked for, so that parts of a picture need not know of each other. */
+static bool is_enough(const cells *c, const settings *s, size_t number)
+{
+    const size_t first = number - number % GROUPS;
+    double square = 0.0, bright = 0.0;
+
+    if (!s->ends_early || c->groups[number].count < ENOUGH_LEAST)
+        return false;
+    for (size_t i = first; i < first + GROUPS; i++) {
+        square += c->shown[i].square;
+        bright += (c->shown[i].light[0] + c->shown[i].light[1] + c->shown[i].light[2]) / 3.0;
+    }
+    return square <= least_step * bright;
+}
+
+static bool set_all(cells *c, const settings *s, uint32_t target)
 {
     bool more = false;
 
     for (size_t i = 0; i < GROUPS * c->count; i++) {
         group *at = &c->groups[i];
 
-        at->target = target > at->count ? target : at->count;
+        at->target = target > at->count && !is_enough(c, s, i) ? target : at->count;
         more = more || at->target > at->count;
     }
     return more;
@@ -58,7 +78,7 @@ static bool next_uniform(cells *c, const settings *s, const pov_pass *now)
         if (needed < next)
             next = even_above(needed);
     }
-    return set_all(c, next < (uint32_t)s->samples ? next : (uint32_t)s->samples);
+    return set_all(c, s, next < (uint32_t)s->samples ? next : (uint32_t)s->samples);
 }
 
 /* ---- where the error is ----
@@ -188,7 +208,7 @@ static bool next_adaptive(cells *c, const settings *s, const pov_pass *now, doub
         at->target = wanted(at, worths[i], threshold, least);
         more = more || at->target > at->count;
     }
-    return more || set_all(c, 2 * (uint32_t)now->spp_max);
+    return more || set_all(c, s, 2 * (uint32_t)now->spp_max);
 }
 
 bool budget_next(cells *c, const settings *s, const pov_pass *now, double *scratch)

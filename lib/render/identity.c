@@ -48,6 +48,7 @@ static void identify_settings(const settings *s, identity *id)
     id->seed = s->seed;
     id->target_error = s->target_error;
     id->parts = s->parts;
+    id->ends_early = s->ends_early;
 }
 
 void identity_of(const pov_job *job, const char *magic, identity *id)

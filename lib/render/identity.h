@@ -13,7 +13,7 @@ typedef struct identity {
     int32_t width, height, crop[4], first_step, samples, adaptive, alpha, cell_edge;
     uint32_t seed;
     double target_error, camera[12];
-    int32_t parts, reserved;
+    int32_t parts, ends_early;
 } identity;
 
 void identity_of(const pov_job *job, const char *magic, identity *out);

@@ -69,6 +69,7 @@ static pov_status begin(joining *j, const part_head *head, pov_error *err)
     if (status < 0)
         return status;
     j->first = *head;
+    j->job->settings.ends_early = head->id.ends_early != 0;
     j->job->cells.alike = head->alike == ALIKE_SETS || head->alike == ALIKE_PHOTONS ? head->alike : 0;
     memcpy(j->job->note, head->note, sizeof head->note);
     j->rounds = env_alloc(j->env, (size_t)head->id.parts, sizeof *j->rounds);

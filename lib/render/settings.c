@@ -86,11 +86,19 @@ static pov_status take_part(settings *s, const pov_render_desc *d, pov_error *er
     return POV_OK;
 }
 
+/* Does the scene alone say how many samples a pixel gets at most? A mesh camera's are no matter of chance. */
+static bool is_sampled_by_lens(const pov_render_desc *d, const pov_camera *camera)
+{
+    return raygen_has_lens(camera) && camera->type != POV_CAMERA_MESH && d->samples == 0 && d->sampling == POV_SAMPLING_UNIFORM &&
+           !(d->target_error > 0.0) && !(d->time_limit > 0.0);
+}
+
 pov_status settings_make(settings *s, const pov_render_desc *desc, const pov_camera *camera, pov_error *err)
 {
     pov_status status = check_size(desc, err);
 
     s->samples = raygen_counts(camera) && camera->lens_samples > 1 ? camera->lens_samples : 1;
+    s->ends_early = is_sampled_by_lens(desc, camera);
     s->width = desc->width;
     s->height = desc->height;
     s->wake = desc->wake;

@@ -14,6 +14,7 @@ typedef struct settings {
     int samples;                 /* samples a pixel, on average: the maximum */
     uint32_t seed;
     bool sampling, adaptive;     /* more than one sample a pixel; more samples where the error is */
+    bool ends_early;             /* cells take no more samples once their error is too small to be seen */
     double target_error, time_limit;   /* 0: none */
     const float *reference;      /* the caller's; or NULL */
     bool time_map, alpha;        /* see pov_render_desc */

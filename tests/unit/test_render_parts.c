@@ -6,6 +6,7 @@
 #include "base/hash.h"
 #include "render/tiles.h"
 
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -161,6 +162,46 @@ static void parts_of_even_samples_stop_at_the_error_of_the_picture(void **state)
     end(&f);
 }
 
+static double mean_samples(const fixture *f, const pov_render_desc *d)
+{
+    pov_progress p = POV_INIT(p);
+    pov_job *job = tiny_job(&f->scene, d);
+
+    while (job_step(job) == POV_JOB_RUNNING)
+        continue;
+    job_get_progress(job, &p);
+    job_destroy(job);
+    return p.spp_mean;
+}
+
+/* A lens says how many samples there are at most. What is asked for otherwise is taken. */
+static void a_lens_ends_where_no_error_is_seen(void **state)
+{
+    enum { MOST = 64 };
+    const pov_render_desc few = describe(0, 0.0, POV_SAMPLING_UNIFORM), all = describe(MOST, 0.0, POV_SAMPLING_UNIFORM);
+    double off = 0.0, mean;
+    float *a, *b;
+    fixture f;
+
+    (void)state;
+    begin(&f, 3);
+    f.scene.model.camera.lens_radius = 0.05;
+    f.scene.model.camera.focal_distance = 4.0;
+    f.scene.model.camera.lens_samples = MOST;
+    mean = mean_samples(&f, &few);
+    assert_true(mean >= 16.0 && mean < 0.9 * MOST);
+    assert_true(mean_samples(&f, &all) == MOST);
+    expect_same(&f, &few, false, 1);
+    a = tiny_picture(&f.scene, &few);
+    b = tiny_picture(&f.scene, &all);
+    for (int i = 0; i < 4 * WIDTH * HEIGHT; i++)
+        off += pow((double)a[i] - (double)b[i], 2.0);
+    assert_true(sqrt(off / (4.0 * WIDTH * HEIGHT)) < 0.004);
+    free(a);
+    free(b);
+    end(&f);
+}
+
 static void a_single_part_is_the_picture(void **state)
 {
     const pov_render_desc d = describe(12, 0.0, POV_SAMPLING_ADAPTIVE);
@@ -274,6 +315,7 @@ int main(void)
         cmocka_unit_test(parts_of_even_samples_need_one_round),
         cmocka_unit_test(parts_go_on_where_the_error_of_the_picture_is),
         cmocka_unit_test(parts_of_even_samples_stop_at_the_error_of_the_picture),
+        cmocka_unit_test(a_lens_ends_where_no_error_is_seen),
         cmocka_unit_test(a_single_part_is_the_picture),
         cmocka_unit_test(tiles_are_dealt_evenly),
         cmocka_unit_test(a_forged_part_is_refused_or_joined),
