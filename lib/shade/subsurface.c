@@ -15,14 +15,18 @@ typedef struct below { channel of[3]; double ior; } below;
 
 static const double pi = 3.14159265358979323846;
 
-double subsurface_reflected(double albedo, double boundary)
+/* The second pole lies so many mean free paths above the surface. Light that meets the surface from below is not turned back by the profile,
+ * whatever the ior: so it is in POV-Ray, by what faces of many sizes give in even light. */
+static const double image_height = 7.0 / 3.0;
+
+double subsurface_reflected(double albedo)
 {
     const double root = sqrt(3.0 * (1.0 - albedo));
 
-    return 0.5 * albedo * (1.0 + elementary_exp(-4.0 / 3.0 * boundary * root)) * elementary_exp(-root);
+    return 0.5 * albedo * (elementary_exp(-root) + elementary_exp(-image_height * root));
 }
 
-double subsurface_albedo(double reflected, double boundary)
+double subsurface_albedo(double reflected)
 {
     double lo = 0.0, hi = 1.0;
 
@@ -31,7 +35,7 @@ double subsurface_albedo(double reflected, double boundary)
     for (int i = 0; i < 32; i++) {
         const double middle = 0.5 * (lo + hi);
 
-        if (subsurface_reflected(middle, boundary) < reflected)
+        if (subsurface_reflected(middle) < reflected)
             lo = middle;
         else
             hi = middle;
@@ -39,18 +43,10 @@ double subsurface_albedo(double reflected, double boundary)
     return 0.5 * (lo + hi);
 }
 
-/* By the ior: a rational fit of the diffuse Fresnel reflectance. */
-static double boundary_of(double ior)
+static channel channel_of(double length, double reflected)
 {
-    const double f = -1.440 / (ior * ior) + 0.710 / ior + 0.668 + 0.0636 * ior;
-
-    return (1.0 + f) / (1.0 - f);
-}
-
-static channel channel_of(double length, double reflected, double boundary)
-{
-    const double albedo = subsurface_albedo(reflected, boundary), fades = sqrt(3.0 * (1.0 - albedo)) / length;
-    const double image = length * (1.0 + 4.0 / 3.0 * boundary), real_left = elementary_exp(-fades * length);
+    const double albedo = subsurface_albedo(reflected), fades = sqrt(3.0 * (1.0 - albedo)) / length;
+    const double image = length * image_height, real_left = elementary_exp(-fades * length);
     const double image_left = elementary_exp(-fades * image);
     const channel out = { { length, image }, fades, albedo, { 0.5 / (pi * real_left), 0.5 / (pi * image_left) },
                           real_left / (real_left + image_left) };
@@ -65,11 +61,11 @@ static below below_of(const shading *scene, const surface *s)
 {
     const appearance *a = s->appearance;
     const double scale = 1.0 / scene->model->subsurface.mm_per_unit;
-    const double ior = dielectric_interior(scene->model, world_solid(scene->world, s->at->object))->ior, of = boundary_of(ior);
+    const double ior = dielectric_interior(scene->model, world_solid(scene->world, s->at->object))->ior;
     const colour mean = a->finish->translucency, by = colour_scale(a->pigment, a->below_weight);
-    const below out = { { channel_of(path_of(mean.r, scale), (double)by.r, of),
-                           channel_of(path_of(mean.g, scale), (double)by.g, of),
-                           channel_of(path_of(mean.b, scale), (double)by.b, of) }, ior };
+    const below out = { { channel_of(path_of(mean.r, scale), (double)by.r),
+                           channel_of(path_of(mean.g, scale), (double)by.g),
+                           channel_of(path_of(mean.b, scale), (double)by.b) }, ior };
 
     return out;
 }
