@@ -186,15 +186,17 @@ static double cosine_below(double ior, double cosine)
     return sqrt(fmax(1.0 - (1.0 - cosine * cosine) / (ior * ior), 0.0));
 }
 
-/* What light at a point is wanted for: all that enters; or, where `out` is not 0, the share of it that is scattered once,
- * alike in all directions, below a flat surface and leaves at this cosine below it. */
+/* What light at a point is wanted for: all that enters; or, where `out` is not 0, the share of it that is scattered once
+ * below a flat surface and leaves at this cosine below it. */
 typedef struct wanted { double ior, out; } wanted;
 
+/* Light that is scattered once fades on both ways. By what POV-Ray shows it fades on the way out twice: with the ratio g of the
+ * cosines below, out over in, it is 1/((1 + g) (2 + g)), where 1/(1 + g) would be right (docs/light.md). */
 static double share_of(const wanted *for_what, double cosine)
 {
-    const double enters = cosine * entering(for_what->ior, cosine);
+    const double enters = cosine * entering(for_what->ior, cosine), in = cosine_below(for_what->ior, cosine), out = for_what->out;
 
-    return for_what->out > 0.0 ? enters / (4.0 * pi * (cosine_below(for_what->ior, cosine) + for_what->out)) : enters;
+    return out > 0.0 ? enters * 0.25 * in * in / ((in + out) * (2.0 * in + out)) : enters;
 }
 
 /* Of one light, at a point with this outward normal. */
@@ -298,7 +300,7 @@ static void find_axes(pov_vec3 normal, pov_vec3 out[AXES])
     out[2] = pov_cross_product(normal, out[1]);
 }
 
-/* Light that was scattered once, for a surface that is flat and evenly lit around. */
+/* For a surface that is flat and evenly lit around. */
 static colour scattered_once(const search *s, double cosine)
 {
     const wanted once = { s->in.ior, cosine_below(s->in.ior, cosine) };
