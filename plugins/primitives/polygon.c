@@ -236,10 +236,10 @@ static void choose_anchor(common_polygon *s, double largest, double off)
 }
 
 /* Programs write coordinates with few digits: corners off the plane by less than this part of the polygon's size are moved. */
-static const double flattened = 1e-3;
+static const double most_off = 0x1p-10;
 
 /* Move the corners to the nearest points of the plane. */
-static void flatten(const common_polygon *s, common_corner *corners)
+static void move_to_plane(const common_polygon *s, common_corner *corners)
 {
     const pov_vec3 n = pov_two3_hi(s->normal);
     const double per_length = 1.0 / (pov_dot(n, n) * s->scale);
@@ -262,9 +262,9 @@ static void project_at(reading *r, common_polygon *s)
     }
     off = measure(s, r->corners);
     part = off / pov_largest(pov_sub(s->box.hi, s->box.lo)) / s->scale;
-    if (!(off <= tolerance(s)) && part <= flattened) {
+    if (!(off <= tolerance(s)) && part <= most_off) {
         r->host->warn(r->in, "the points of this polygon do not lie in a plane, by %g of its size: it is flattened", part);
-        flatten(s, r->corners);
+        move_to_plane(s, r->corners);
         largest = take_corners(s, r->corners, r->count);
         off = measure(s, r->corners);
     }
