@@ -4,22 +4,34 @@
 #include "bvh/ray_soa.h"
 #include "bvh/traverse.h"
 
-/* A leaf: up to BVH_WIDTH items in one unit of leaf memory. Where items follow one another that memory is never touched:
- * where a leaf would be tells its number. */
+/* A leaf: up to BVH_WIDTH items in one unit of leaf memory. Where items follow one another that memory is never touched: where a leaf
+ * would be tells its first item and how many there are. */
 typedef struct leaf { uint32_t count, item[BVH_WIDTH]; } leaf;
+typedef struct leaf_range { uint32_t first, count; } leaf_range;
+enum { RANGE_ITEMS_MOST = 1 << 27 };
 
 struct hierarchy {
     pov_hierarchy service;       /* first: plugins pass it back */
     const env *env;
     const bvh_kernels *kernels;
     bvh tree;
-    uint32_t *first;             /* by leaf, the first of its items, and behind the last leaf their number; or NULL */
 };
 
-static inline size_t number_of(const hierarchy *h, const void *at)
+static inline uint32_t code_of(leaf_range r) { return r.first * BVH_WIDTH + (r.count - 1); }
+
+static inline leaf_range range_of_code(uint32_t code)
 {
-    return (size_t)((const unsigned char *)at - h->tree.leaves) / BVH_UNIT;
+    const leaf_range r = { code / BVH_WIDTH, code % BVH_WIDTH + 1 };
+
+    return r;
 }
+
+static inline size_t number_of(const bvh *tree, const void *at)
+{
+    return (size_t)((const unsigned char *)at - tree->leaves) / BVH_UNIT;
+}
+
+static inline leaf_range range_of(const hierarchy *h, const void *at) { return range_of_code((uint32_t)number_of(&h->tree, at)); }
 
 /* ---- building ---- */
 
@@ -33,21 +45,18 @@ static size_t leaf_size(void *user, uint32_t slice, uint32_t *ids, uint32_t coun
     return sizeof(leaf);
 }
 
-/* State of a build. */
-typedef struct building { hierarchy *of; const hierarchy_items *items; uint32_t *ids; } building;
+/* State of a build. codes: of the leaves, or NULL. */
+typedef struct building { hierarchy *of; const hierarchy_items *items; uint32_t *ids, *codes; } building;
 
 static bool allocated(void *user, const void *leaves)
 {
-    const building *b = user;
-    hierarchy *h = b->of;
+    building *b = user;
 
     (void)leaves;
     if (!b->items->order)
         return true;
-    h->first = env_resize(h->env, NULL, h->tree.leaf_count + 1, sizeof *h->first);
-    if (h->first)
-        h->first[h->tree.leaf_count] = b->items->count;
-    return h->first != NULL;
+    b->codes = env_resize(b->of->env, NULL, b->of->tree.leaf_count, sizeof *b->codes);
+    return b->codes != NULL;
 }
 
 static void fill_leaf(void *user, uint32_t slice, const bvh_frame *frame, const uint32_t *ids, uint32_t count, void *at)
@@ -59,7 +68,9 @@ static void fill_leaf(void *user, uint32_t slice, const bvh_frame *frame, const 
     (void)slice;
     (void)frame;
     if (b->items->order) {
-        b->of->first[number_of(b->of, at)] = (uint32_t)(ids - b->ids);
+        const leaf_range r = { (uint32_t)(ids - b->ids), count };
+
+        b->codes[number_of(&b->of->tree, at)] = code_of(r);
         return;
     }
     l->count = count;
@@ -87,12 +98,30 @@ static pov_box around(const hierarchy_items *items)
     return all;
 }
 
+static inline bool is_leaf(uint32_t reference) { return (reference & BVH_KIND) == BVH_LEAF; }
+
+static void encode(uint32_t *reference, const uint32_t *codes)
+{
+    if (is_leaf(*reference))
+        *reference = BVH_LEAF | codes[*reference & ~BVH_KIND];
+}
+
+/* References to leaves become their codes. */
+static void encode_all(bvh *tree, const uint32_t *codes)
+{
+    for (size_t i = 0; i < tree->frame_count; i++)
+        encode(&tree->frames[i].root, codes);
+    for (size_t i = 0; i < tree->node_count; i++)
+        for (int k = 0; k < BVH_WIDTH; k++)
+            encode(&tree->nodes[i].child[k], codes);
+}
+
 static bool build(hierarchy *h, const hierarchy_items *items)
 {
     const bool shares_leaf = true;
     uint32_t *ids = items->order ? items->order : env_resize(h->env, NULL, items->count, sizeof *ids), i;
     uint16_t *group = env_alloc(h->env, items->count, sizeof *group);   /* one group for all */
-    building b = { h, items, ids };
+    building b = { h, items, ids, NULL };
     bvh_input in = { .env = h->env, .box = items->box, .box_user = items->user, .bounds = around(items), .ids = ids,
                      .count = items->count, .group = group, .shares_leaf = &shares_leaf, .threads = items->threads,
                      .leaves = { leaf_size, allocated, fill_leaf, filled, &b } };
@@ -101,6 +130,9 @@ static bool build(hierarchy *h, const hierarchy_items *items)
     for (i = 0; ids && i < items->count; i++)
         ids[i] = i;
     built = ids && group && bvh_build(&h->tree, &in);
+    if (built && items->order)
+        encode_all(&h->tree, b.codes);
+    env_free(h->env, b.codes);
     if (!items->order)
         env_free(h->env, ids);
     env_free(h->env, group);
@@ -125,9 +157,9 @@ static bool visit_all(const visit *v, const void *at)
     uint32_t i;
 
     if (v->range) {
-        const uint32_t *first = v->of->first + number_of(v->of, at);
+        const leaf_range r = range_of(v->of, at);
 
-        return v->range(v->user, first[0], first[1] - first[0]);
+        return v->range(v->user, r.first, r.count);
     }
     for (i = 0; i < l->count; i++)
         if (!v->item(v->user, l->item[i]))
@@ -230,9 +262,9 @@ static uint64_t to_lanes(const packet_visit *v, uint64_t rays, uint64_t lanes)
 static uint64_t packet_leaf(bvh_traversal *traversal, const void *at, uint64_t lanes)
 {
     packet_visit *v = (packet_visit *)(void *)traversal;
-    const uint32_t *first = v->of->first + number_of(v->of, at);
+    const leaf_range r = range_of(v->of, at);
     uint64_t lowered = 0, rest;
-    const uint64_t ended = v->visit(v->user, first[0], first[1] - first[0], to_rays(v, lanes), &lowered);
+    const uint64_t ended = v->visit(v->user, r.first, r.count, to_rays(v, lanes), &lowered);
 
     lowered = to_lanes(v, lowered, lanes);
     traversal->lowered |= lowered;
@@ -278,15 +310,24 @@ static void visit_rays(const pov_hierarchy *self, const pov_ray *const *rays, ui
         visit_group(&v, &groups[i], rays, nearest);
 }
 
-/* A leaf fills a whole unit of their memory. */
-static bool each_range(const pov_hierarchy *self, bool (*range)(void *user, uint32_t first, uint32_t count), void *user)
+static bool visit_reference(uint32_t reference, bool (*each)(void *user, uint32_t first, uint32_t count), void *user)
 {
-    const hierarchy *h = (const hierarchy *)(const void *)self;
-    size_t i;
+    const leaf_range r = range_of_code(reference & ~BVH_KIND);
 
-    for (i = 0; i < h->tree.leaf_count; i++)
-        if (!range(user, h->first[i], h->first[i + 1] - h->first[i]))
+    return !is_leaf(reference) || each(user, r.first, r.count);
+}
+
+static bool each_range(const pov_hierarchy *self, bool (*each)(void *user, uint32_t first, uint32_t count), void *user)
+{
+    const bvh *tree = &((const hierarchy *)(const void *)self)->tree;
+
+    for (size_t i = 0; i < tree->frame_count; i++)
+        if (!visit_reference(tree->frames[i].root, each, user))
             return false;
+    for (size_t i = 0; i < tree->node_count; i++)
+        for (int k = 0; k < BVH_WIDTH; k++)
+            if (!visit_reference(tree->nodes[i].child[k], each, user))
+                return false;
     return true;
 }
 
@@ -294,7 +335,8 @@ static bool each_range(const pov_hierarchy *self, bool (*range)(void *user, uint
 
 hierarchy *hierarchy_create(const env *e, const hierarchy_items *items)
 {
-    hierarchy *h = env_alloc(e, 1, sizeof *h);
+    const bool too_many = items->order && items->count > RANGE_ITEMS_MOST;
+    hierarchy *h = too_many ? NULL : env_alloc(e, 1, sizeof *h);
 
     if (!h)
         return NULL;
@@ -315,7 +357,6 @@ void hierarchy_destroy(hierarchy *h)
     if (!h)
         return;
     bvh_free(&h->tree, h->env);
-    env_free(h->env, h->first);
     env_free(h->env, h);
 }
 

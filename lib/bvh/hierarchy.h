@@ -11,7 +11,7 @@ typedef struct hierarchy hierarchy;
 /* The items of one. box is called from several threads; boxes are finite, within +-1e150. order: NULL, or which item
  * each became, so that the items of a leaf follow one another. */
 typedef struct hierarchy_items {
-    uint32_t count;              /* at least one */
+    uint32_t count;              /* at least one; in order, at most 2^27 */
     void (*box)(void *user, uint32_t item, pov_box *out);
     void *user;
     uint32_t *order;
