@@ -115,9 +115,9 @@ COMMON_CLONES static void set_views(const view_lanes *restrict l, common_face_vi
         const double per = 1.0 / (is_x ? x : is_y ? y : z);
         const double w = common_greater(common_greater(fabs(l->w[0][i]), fabs(l->w[1][i])), fabs(l->w[2][i]));
 
-        v->point[0][first + i] = (float)l->w[0][i];
-        v->point[1][first + i] = (float)l->w[1][i];
-        v->point[2][first + i] = (float)l->w[2][i];
+        v->point[0][first + i] = (float)(is_x ? l->w[1][i] : is_y ? l->w[2][i] : l->w[0][i]);
+        v->point[1][first + i] = (float)(is_x ? l->w[2][i] : is_y ? l->w[0][i] : l->w[1][i]);
+        v->point[2][first + i] = (float)(is_x ? l->w[0][i] : is_y ? l->w[1][i] : l->w[2][i]);
         v->slope_across[first + i] = (float)((is_x ? y : is_y ? z : x) * per);
         v->slope_up[first + i] = (float)((is_x ? z : is_y ? x : y) * per);
         v->error[first + i] = l->size[i] < far ? 24.0f * COMMON_E * (1.0f + (float)w) : HUGE_VALF;
@@ -144,14 +144,50 @@ void common_face_views_set(common_face_views *v, uint32_t i, const common_view *
 {
     const common_face_view f = common_face_view_of(view);
 
-    for (int k = 0; k < 3; k++)
-        v->point[k][i] = f.point[k];
+    v->point[0][i] = f.point[f.across];
+    v->point[1][i] = f.point[f.up];
+    v->point[2][i] = f.point[f.forward];
     v->slope_across[i] = f.slope_across;
     v->slope_up[i] = f.slope_up;
     v->error[i] = f.error;
     v->near[i] = along * unit;
     v->pace[i] = unit / view->d[view->forward];
     v->forward[i] = view->forward;
+}
+
+/* What one ray needs of its view, and the rows of its axes. */
+typedef struct line { float across, up, forward, slope_across, slope_up, error; const float *x, *y, *z; } line;
+
+COMMON_INLINE line line_of(const float *a, size_t row, const common_face_views *v, uint32_t ray)
+{
+    const int32_t forward = v->forward[ray], across = forward < 2 ? forward + 1 : 0, up = forward > 0 ? forward - 1 : 2;
+    const line l = { v->point[0][ray], v->point[1][ray], v->point[2][ray], v->slope_across[ray], v->slope_up[ray], v->error[ray],
+                     a + (size_t)across * row, a + (size_t)up * row, a + (size_t)forward * row };
+
+    return l;
+}
+
+COMMON_INLINE seen see_from(const line *l, size_t i)
+{
+    const float depth = l->z[i] - l->forward;
+    const seen s = { (l->x[i] - l->across) - depth * l->slope_across, (l->y[i] - l->up) - depth * l->slope_up };
+
+    return s;
+}
+
+/* On which sides of the edges the line passes: turns, their least and greatest, and what they may be off by. */
+typedef struct sides { float one, two, three, least, most, doubt; } sides;
+
+COMMON_INLINE sides sides_of(const line *l, size_t row, size_t i)
+{
+    const seen p = see_from(l, i), q = see_from(l, 3 * row + i), r = see_from(l, 6 * row + i);
+    const float size = size_of(p) + size_of(q) + size_of(r);
+    sides s = { .one = turn(p, q), .two = turn(q, r), .three = turn(r, p) };
+
+    s.doubt = size * (l->error + 8.0f * COMMON_E * size) + 2.0f * l->error * l->error;
+    s.least = common_float_lesser(common_float_lesser(s.one, s.two), s.three);
+    s.most = common_float_greater(common_float_greater(s.one, s.two), s.three);
+    return s;
 }
 
 typedef struct found_lanes { common_outcomes maybe, sure; } found_lanes;
@@ -161,37 +197,47 @@ typedef struct found_lanes { common_outcomes maybe, sure; } found_lanes;
 COMMON_CLONES static void find(const float *restrict a, size_t row, const common_face_views *restrict v, uint32_t ray,
                                found_lanes *restrict may, float *restrict lo, float *restrict hi)
 {
-    const int32_t forward = v->forward[ray], across = forward < 2 ? forward + 1 : 0, up = forward > 0 ? forward - 1 : 2;
-    const common_face_view view = { across, up, forward, { v->point[0][ray], v->point[1][ray], v->point[2][ray] },
-                                    v->slope_across[ray], v->slope_up[ray], v->error[ray] };
-    const float *x = a + (size_t)across * row, *y = a + (size_t)up * row, *z = a + (size_t)forward * row;
-    const float at = view.point[forward];
+    const line l = line_of(a, row, v, ray);
 
     for (uint32_t i = 0; i < POV_BLOCK_MAX; i++) {
-        const seen p = see(x + i, y + i, z + i, &view), q = see(x + 3 * row + i, y + 3 * row + i, z + 3 * row + i, &view);
-        const seen r = see(x + 6 * row + i, y + 6 * row + i, z + 6 * row + i, &view);
-        const float size = size_of(p) + size_of(q) + size_of(r);
-        const float doubt = size * (view.error + 8.0f * COMMON_E * size) + 2.0f * view.error * view.error;
-        const float one = turn(p, q), two = turn(q, r), three = turn(r, p);
-        const float least = common_float_lesser(common_float_lesser(one, two), three);
-        const float most = common_float_greater(common_float_greater(one, two), three);
-        const float pz = z[i] - at, qz = z[3 * row + i] - at, rz = z[6 * row + i] - at;
+        const sides s = sides_of(&l, row, i);
+        const float pz = l.z[i] - l.forward, qz = l.z[3 * row + i] - l.forward, rz = l.z[6 * row + i] - l.forward;
         const float nearest = common_float_lesser(common_float_lesser(pz, qz), rz);
         const float farthest = common_float_greater(common_float_greater(pz, qz), rz);
-        const float per = 1.0f / (one + two + three), depth = (two * pz + three * qz + one * rz) * per;
-        const float off = 2.0f * view.error + 12.0f * doubt * (farthest - nearest) * fabsf(per);
+        const float per = 1.0f / (s.one + s.two + s.three), depth = (s.two * pz + s.three * qz + s.one * rz) * per;
+        const float off = 2.0f * l.error + 12.0f * s.doubt * (farthest - nearest) * fabsf(per);
 
-        may->maybe.lane[i] = -!((int)(least < -doubt) & (int)(most > doubt));
-        may->sure.lane[i] = -((int)(least > doubt) | (int)(most < -doubt));
-        lo[i] = common_float_greater(depth - off, nearest - view.error);
-        hi[i] = common_float_lesser(depth + off, farthest + view.error);
+        may->maybe.lane[i] = -!((int)(s.least < -s.doubt) & (int)(s.most > s.doubt));
+        may->sure.lane[i] = -((int)(s.least > s.doubt) | (int)(s.most < -s.doubt));
+        lo[i] = common_float_greater(depth - off, nearest - l.error);
+        hi[i] = common_float_lesser(depth + off, farthest + l.error);
     }
+}
+
+COMMON_CLONES static uint32_t find_any(const float *restrict a, size_t row, const common_face_views *restrict v, uint32_t ray)
+{
+    const line l = line_of(a, row, v, ray);
+    common_outcomes maybe;
+
+    for (uint32_t i = 0; i < POV_BLOCK_MAX; i++) {
+        const sides s = sides_of(&l, row, i);
+
+        maybe.lane[i] = -!((int)(s.least < -s.doubt) & (int)(s.most > s.doubt));
+    }
+    return common_bits_of(&maybe, POV_BLOCK_MAX);
+}
+
+static uint32_t bits_left(uint32_t left) { return left < POV_BLOCK_MAX ? (1u << left) - 1 : (1u << POV_BLOCK_MAX) - 1; }
+
+uint32_t common_face_find_any(const float *block, uint32_t count, uint32_t first, const common_face_views *v, uint32_t ray)
+{
+    return find_any(block + first, count, v, ray) & bits_left(count - first);
 }
 
 void common_face_find(const float *block, uint32_t count, uint32_t first, const common_face_views *v, uint32_t ray,
                       common_face_found *out)
 {
-    const uint32_t left = count - first, some = left < POV_BLOCK_MAX ? (1u << left) - 1 : (1u << POV_BLOCK_MAX) - 1;
+    const uint32_t some = bits_left(count - first);
     found_lanes may;
 
     find(block + first, count, v, ray, &may, out->lo, out->hi);

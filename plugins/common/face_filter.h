@@ -18,7 +18,8 @@ typedef struct common_face_view {
 
 common_face_view common_face_view_of(const common_view *v);
 
-/* Rays side by side: the same, and t of the point and how much it grows with the depth beyond it, along the largest axis. */
+/* Rays side by side: the same, the point by axes of the view (across, up, forward), and t of the point and how much it grows with
+ * the depth beyond it. */
 typedef struct common_face_views {
     float point[3][POV_RAYS_MAX], slope_across[POV_RAYS_MAX], slope_up[POV_RAYS_MAX], error[POV_RAYS_MAX];
     double near[POV_RAYS_MAX], pace[POV_RAYS_MAX];
@@ -36,6 +37,8 @@ void common_face_views_set(common_face_views *v, uint32_t i, const common_view *
 typedef struct common_face_found { uint32_t maybe, sure; float lo[POV_BLOCK_MAX], hi[POV_BLOCK_MAX]; } common_face_found;
 void common_face_find(const float *block, uint32_t count, uint32_t first, const common_face_views *v, uint32_t ray,
                       common_face_found *out);
+/* Only those that the line may pass. */
+uint32_t common_face_find_any(const float *block, uint32_t count, uint32_t first, const common_face_views *v, uint32_t ray);
 
 /* Write one face of a block of `count`. */
 void common_face_put(float *block, uint32_t count, uint32_t i, pov_vec3 a, pov_vec3 b, pov_vec3 c);

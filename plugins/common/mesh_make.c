@@ -127,12 +127,46 @@ static void box_of_face(void *user, uint32_t face, pov_box *out)
 
 /* ---- in memory that stays ---- */
 
-typedef struct making { const pov_host *host; pov_reader *in; uint32_t *order; uint32_t count; } making;
+typedef struct making {
+    const pov_host *host;
+    pov_reader *in;
+    uint32_t *order, count;
+    uint32_t *now, corners;      /* by corner of the text, where it stands now, or NOWHERE; how many there are */
+} making;
+
+#define NOWHERE 0xffffffffu
 
 /* What has been copied is not needed any more: no two of these are there at once. */
 static void *drop(const making *k, void *of)
 {
     return of ? k->host->resize(k->in, of, 0) : NULL;
+}
+
+/* Corners stand in the order in which the hierarchy's leaves meet them first: those of near faces are near each other. */
+static void order_corners(making *k, const common_mesh_parts *p)
+{
+    k->now = k->host->resize(k->in, NULL, p->corner_count * sizeof *k->now);
+    if (!k->now)
+        return;
+    memset(k->now, 0xff, p->corner_count * sizeof *k->now);
+    for (uint32_t i = 0; i < k->count; i++)
+        for (int j = 0; j < 3; j++) {
+            uint32_t *now = &k->now[p->faces[k->order[i]].at[j]];
+
+            if (*now == NOWHERE)
+                *now = k->corners++;
+        }
+}
+
+/* What is at corners, in their order. */
+static const void *keep_at_corners(const making *k, const void *of, uint32_t count, size_t bytes)
+{
+    unsigned char *kept = of && k->now ? k->host->alloc(k->in, k->corners * bytes + sizeof(double)) : NULL;
+
+    for (uint32_t i = 0; kept && i < count; i++)
+        if (k->now[i] != NOWHERE)
+            memcpy(kept + k->now[i] * bytes, (const unsigned char *)of + i * bytes, bytes);
+    return kept;
 }
 
 /* Rows by face, in the hierarchy's order. */
@@ -143,6 +177,17 @@ static const common_face *keep_faces(const making *k, const common_face *of)
 
     for (i = 0; kept && i < k->count; i++)
         kept[i] = of[k->order[i]];
+    return kept;
+}
+
+/* The same, of corners. */
+static const common_face *keep_corner_faces(const making *k, const common_face *of)
+{
+    common_face *kept = k->now ? k->host->alloc(k->in, (size_t)k->count * sizeof *kept) : NULL;
+
+    for (uint32_t i = 0; kept && i < k->count; i++)
+        for (int j = 0; j < 3; j++)
+            kept[i].at[j] = k->now[of[k->order[i]].at[j]];
     return kept;
 }
 
@@ -209,20 +254,23 @@ static void keep_places(common_mesh *m, const making *k)
     m->places = k->order;
 }
 
-static void keep(common_mesh *m, common_mesh_parts *p, const making *k)
+static void keep(common_mesh *m, common_mesh_parts *p, making *k)
 {
-    m->corners = keep_bytes(k, p->corners, p->corner_count, sizeof *p->corners);
+    order_corners(k, p);
+    m->corners = keep_at_corners(k, p->corners, p->corner_count, sizeof *p->corners);
     p->corners = drop(k, p->corners);
-    m->faces = keep_faces(k, p->faces);
+    m->faces = keep_corner_faces(k, p->faces);
     p->faces = drop(k, p->faces);
-    m->normals = keep_bytes(k, p->normals, p->normal_count, sizeof *p->normals);
+    m->normals = p->normal_faces ? keep_bytes(k, p->normals, p->normal_count, sizeof *p->normals)
+                                 : keep_at_corners(k, p->normals, p->normal_count, sizeof *p->normals);
     p->normals = drop(k, p->normals);
     m->normal_faces = p->normal_faces ? keep_faces(k, p->normal_faces) : m->faces;
     p->normal_faces = drop(k, p->normal_faces);
-    m->uvs = keep_bytes(k, p->uvs, p->uv_count, sizeof *p->uvs);
+    m->uvs = p->uv_faces ? keep_bytes(k, p->uvs, p->uv_count, sizeof *p->uvs) : keep_at_corners(k, p->uvs, p->uv_count, sizeof *p->uvs);
     p->uvs = drop(k, p->uvs);
     m->uv_faces = p->uv_faces ? keep_faces(k, p->uv_faces) : m->faces;
     p->uv_faces = drop(k, p->uv_faces);
+    k->now = drop(k, k->now);
     m->textures = keep_faces(k, p->textures);
     p->textures = drop(k, p->textures);
     keep_places(m, k);
@@ -242,7 +290,7 @@ static void find_turned(common_mesh *m, const making *k)
 
 void common_mesh_make(common_mesh *m, common_mesh_parts *p, const pov_host *host, pov_reader *in)
 {
-    making k = { host, in, NULL, 0 };
+    making k = { .host = host, .in = in };
     uint32_t *order = NULL;
 
     if (p->face_count > 0) {

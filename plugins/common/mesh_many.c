@@ -8,6 +8,12 @@
 #include "common/report.h"
 #include "common/simd.h"
 
+#if defined(__GNUC__)
+#define COMMON_PREFETCH(address) __builtin_prefetch(address)
+#else
+#define COMMON_PREFETCH(address) ((void)(address))
+#endif
+
 /* A face that a ray certainly passes, no nearer than lo. */
 typedef struct deferred { uint32_t face; double lo; } deferred;
 
@@ -70,6 +76,18 @@ static void defer(search *s, uint32_t i, uint32_t face, double lo, double hi)
     d->face = face;
     d->lo = lo;
     s->waiting |= bit_of(i);
+    COMMON_PREFETCH(&s->mesh->faces[face]);
+}
+
+/* Of any crossing it does not matter where it is. */
+static void take_any(search *s, uint32_t i, uint32_t first, uint32_t maybe)
+{
+    for (; maybe && !(s->done & bit_of(i)); maybe &= maybe - 1) {
+        const uint32_t face = first + common_first_lane(maybe);
+
+        if (face != s->left[i])
+            test_face(s, i, face, false);
+    }
 }
 
 static void take_faces(search *s, uint32_t i, uint32_t first, const common_face_found *found)
@@ -93,6 +111,19 @@ static void take_faces(search *s, uint32_t i, uint32_t first, const common_face_
     }
 }
 
+static void visit_face(search *s, uint32_t i, uint32_t first, uint32_t count, const float *block, uint32_t k)
+{
+    common_face_found found;
+
+    if (!s->defers) {
+        take_any(s, i, first + k, common_face_find_any(block, count, k, &s->views, i));
+        return;
+    }
+    common_face_find(block, count, k, &s->views, i, &found);
+    if (found.maybe)
+        take_faces(s, i, first + k, &found);
+}
+
 static uint64_t visit_faces(void *user, uint32_t first, uint32_t count, uint64_t rays, uint64_t *lowered)
 {
     search *s = user;
@@ -103,13 +134,8 @@ static uint64_t visit_faces(void *user, uint32_t first, uint32_t count, uint64_t
         const uint32_t i = common_first_lane64(rays);
         const double before = s->limit[i];
 
-        for (uint32_t k = 0; k < count; k += POV_BLOCK_MAX) {
-            common_face_found found;
-
-            common_face_find(block, count, k, &s->views, i, &found);
-            if (found.maybe)
-                take_faces(s, i, first + k, &found);
-        }
+        for (uint32_t k = 0; k < count; k += POV_BLOCK_MAX)
+            visit_face(s, i, first, count, block, k);
         if (s->hits[i]->tmax < s->limit[i])
             s->limit[i] = s->hits[i]->tmax;
         *lowered |= s->limit[i] < before ? bit_of(i) : 0;
@@ -141,13 +167,22 @@ static void begin(search *s, uint32_t n)
     }
 }
 
-/* Where the faces that wait are crossed. Corners come from anywhere in memory: they are asked for first. */
+/* Corners come from anywhere in memory: those of all faces that wait are asked for before the first is needed. */
+static void fetch_corners(const search *s)
+{
+    for (uint64_t rest = s->waiting; rest; rest &= rest - 1)
+        for (int k = 0; k < 3; k++)
+            COMMON_PREFETCH(corner_of(s->mesh, s->deferred[common_first_lane64(rest)].face, k));
+}
+
+/* Where the faces that wait are crossed. */
 static void end(search *s)
 {
     const common_mesh *m = s->mesh;
     common_triangle_pair pairs[COMMON_TRIANGLES];
     uint8_t of[COMMON_TRIANGLES];
 
+    fetch_corners(s);
     while (s->waiting) {
         uint32_t n = 0, open;
 
