@@ -84,6 +84,50 @@ static int side_of(const line *n, places *p)
     return is_place_above(n, p, NEAREST, 1.0 + FINE) ? 1 : is_place_above(n, p, FARTHEST, 1.0 - FINE) ? 0 : -1;
 }
 
+/* How the size, to the power 2 / n, grows along a stretch where no coordinate changes its sign: bounds of each coordinate's part and of what
+ * multiplies those of x and y, from what is nearest to the planes of the coordinates and what is farthest from them. */
+COMMON_CLONES static void find_growths(double e, double n, const places *restrict p, double *restrict x, double *restrict y,
+                                       double *restrict z, double *restrict ring)
+{
+    for (uint32_t i = 0; i < PLACES + 1; i++) {
+        const double a = fabs(p->x[i]), b = fabs(p->y[i]), by_x = approx_power(a, 2.0 / e - 1.0), by_y = approx_power(b, 2.0 / e - 1.0);
+
+        x[i] = by_x * (2.0 / e);
+        y[i] = by_y * (2.0 / e);
+        z[i] = approx_power(fabs(p->z[i]), 2.0 / n - 1.0) * (2.0 / n);
+        ring[i] = approx_power(a * by_x + b * by_y, e / n - 1.0) * (e / n);
+    }
+}
+
+/* The least and the greatest of a factor between two values, times one of any sign, and more than what powers are off. */
+typedef struct range { double lo, hi; } range;
+
+static range times(double a, double b, double by)
+{
+    const double most = larger(a, b) * (1.0 + 0x1p-10) * by, least = smaller(a, b) * (1.0 - 0x1p-10) * by;
+    const range r = { smaller(least, most), larger(least, most) };
+
+    return r;
+}
+
+/* Does the size certainly grow all along a stretch, or certainly fall? */
+static bool is_monotonic(const line *n, const places *p, double lo)
+{
+    const pov_vec3 a = pov_add(n->o, pov_scale(n->d, lo));
+    place_lanes by_x, by_y, by_z, by_ring;
+    range x, y, z, sum;
+
+    if (!n->s->approx || !(p->x[NEAREST] > 0x1p-30 && p->y[NEAREST] > 0x1p-30 && p->z[NEAREST] > 0x1p-30))
+        return false;
+    find_growths(n->s->e, n->s->n, p, by_x, by_y, by_z, by_ring);
+    x = times(by_x[NEAREST], by_x[FARTHEST], copysign(n->d.x, n->d.x * a.x));
+    y = times(by_y[NEAREST], by_y[FARTHEST], copysign(n->d.y, n->d.y * a.y));
+    z = times(by_z[NEAREST], by_z[FARTHEST], copysign(n->d.z, n->d.z * a.z));
+    sum.lo = times(by_ring[NEAREST], by_ring[FARTHEST], x.lo + y.lo).lo + z.lo;
+    sum.hi = times(by_ring[NEAREST], by_ring[FARTHEST], x.hi + y.hi).hi + z.hi;
+    return sum.lo > 0.0 || sum.hi < 0.0;
+}
+
 /* Between points on different sides, a step of Newton's method from the middle and both sides of where it leads. */
 static void narrow(const line *n, double *lo, double *hi, bool is_out)
 {
@@ -130,8 +174,13 @@ static bool search(const line *n, const common_ray *k, stretch s, int depth, pov
     stretch near = s, far = s;
     places p;
 
+    /* Behind a crossing that is known, or the end. */
+    if ((n->base + s.lo) * k->unit > (hits->tmax + hits->slack) * (1.0 + 0x1p-40))
+        return true;
     find_places(n, s.lo, s.hi, &p);
     if (side_of(n, &p) != 0)
+        return true;
+    if (s.out == s.still && is_monotonic(n, &p, s.lo))
         return true;
     if (depth == 0 || (s.out != s.still && depth < 16))
         return s.out == s.still || report(n, k, is_any_between(n, k, s.lo, s.hi, hits) ? middle : bisect(n, s.lo, s.hi, s.out), hits);
