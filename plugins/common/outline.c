@@ -159,12 +159,12 @@ static uint32_t straddling(const common_outline *o, uint32_t first, const double
     return common_gather_bits(&both);
 }
 
-/* The line, with what is needed of it. */
+/* The line, with what is needed of it: the range is wider by far more than places along it are off. */
 typedef struct tested { double p[2], d[2], square, lo, hi; } tested;
 
 static tested tested_of(const double p[2], const double d[2], const double range[2])
 {
-    const double square = d[0] * d[0] + d[1] * d[1], size = 0x1p-40 * (1.0 + fabs(p[0]) + fabs(p[1])) * sqrt(square);
+    const double square = d[0] * d[0] + d[1] * d[1], size = 0x1p-40 * (1.0 + fabs(p[0]) + fabs(p[1])) * (fabs(d[0]) + fabs(d[1]));
     const tested t = { { p[0], p[1] }, { d[0], d[1] }, square, range[0] * square - size - 0x1p-40 * fabs(range[0] * square),
                        range[1] * square + size + 0x1p-40 * fabs(range[1] * square) };
 
