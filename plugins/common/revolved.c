@@ -19,12 +19,12 @@ void common_revolved_curve(common_revolved_part *p, double low, double high, con
         p->size += fabs(p->square[k]);
     /* What is lost where coefficients cancel. */
     p->size = fmax(p->size, fabs(b[0]) + fabs(c1) + fabs(c2) + fabs(c3));
-    p->inner = p->outer = 0.0;
+    p->inner = p->outer = p->loose = 0.0;
 }
 
 void common_revolved_ring(common_revolved_part *p, double height, double inner, double outer, uint32_t feature)
 {
-    const common_revolved_part ring = { height, height, { 0.0, 0.0, 0.0, 0.0 }, 0.0, inner * inner, outer * outer, feature };
+    const common_revolved_part ring = { height, height, { 0.0, 0.0, 0.0, 0.0 }, 0.0, inner * inner, outer * outer, 0.0, feature };
 
     *p = ring;
 }
@@ -114,12 +114,12 @@ COMMON_INLINE double one_sided(double least, double most, double error) { return
 COMMON_CLONES static void add_cubic(const common_revolved_part *p, const common_beams *restrict l, const lines *restrict n, sums *restrict io)
 {
     const double low = p->low, high = p->high, r0 = p->square[0], r1 = p->square[1], r2 = p->square[2], r3 = p->square[3], size = 1.0 + p->size;
-    const double feature = p->feature;
+    const double feature = p->feature, loose = p->loose;
 
     for (uint32_t i = 0; i < N; i++) {
         const double y = l->org[1][i], rise = l->dir[1][i], steep = rise * rise * r3, bend = sum_of(3.0 * y, r3, r2);
         const stretch s = stretch_of(low, high, l, n, i);
-        const double from = s.from, to = s.to, third = (to - from) * (1.0 / 3.0), error = n->off[i] * size;
+        const double from = s.from, to = s.to, third = (to - from) * (1.0 / 3.0), error = sum_of(n->off[i], size, loose);
         const double g0 = n->c[i] - sum_of(y, sum_of(y, sum_of(y, r3, r2), r1), r0), g3 = -rise * steep;
         const double g1 = 2.0 * n->b[i] - rise * sum_of(y, sum_of(3.0 * y, r3, 2.0 * r2), r1), g2 = n->a[i] - rise * rise * bend;
         const double b0 = sum_of(from, sum_of(from, sum_of(from, g3, g2), g1), g0), b3 = sum_of(to, sum_of(to, sum_of(to, g3, g2), g1), g0);

@@ -7,7 +7,11 @@
 #include "common/outline.h"
 
 /* In the local space: square[0] + square[1] y + ..., and the sum of their sizes; of a ring, where low is high, the squares of its radii. */
-typedef struct common_revolved_part { double low, high, square[4], size, inner, outer; uint32_t feature; } common_revolved_part;
+typedef struct common_revolved_part {
+    double low, high, square[4], size, inner, outer;
+    double loose;                /* what the square of the radius is off by, where it is not quite a cubic; no ray starts on it then */
+    uint32_t feature;
+} common_revolved_part;
 
 typedef struct common_revolved { uint32_t count; common_revolved_part *at; } common_revolved;
 

@@ -4,8 +4,8 @@
  * It is convex, and the circle's centre lies beyond the axis, so between the two heights where the parts join it is where a
  * quartic is zero. Of each part the crossings at its own heights count. */
 #include "common/bernstein.h"
-#include "common/boxed.h"
 #include "common/radius.h"
+#include "common/revolved.h"
 #include "common/turns.h"
 
 typedef struct ovus {
@@ -14,12 +14,64 @@ typedef struct ovus {
     double low, high;            /* heights of the joints */
     double wide;
     common_boxed boxed;
+    common_revolved filter;
     double foot;                 /* of the lowest point below 0, scaled */
 } ovus;
 
 enum { BOTTOM, ARC, TOP };
 
 static const double NEAR = 0x1p-30, BESIDE = 0x1p-44;
+
+/* The square of the radius of the arc and its slope. */
+static double square_of_arc(const ovus *o, double y, double *slope)
+{
+    const double up = y - o->h, reach = sqrt(fmax(o->arc * o->arc - up * up, 0.0)), radius = reach - o->a;
+
+    *slope = -2.0 * radius * up / reach;
+    return radius * radius;
+}
+
+enum { SAMPLES = 16, ARCS = 2 };
+
+/* A piece of the arc by its ends and slopes there, and how far off that is. */
+static void add_arc(ovus *o, double low, double high)
+{
+    common_revolved_part *p = &o->filter.at[o->filter.count++];
+    double slope[2], square[4], most = 0.0, unused;
+
+    square[0] = square_of_arc(o, low, &slope[0]);
+    square[3] = square_of_arc(o, high, &slope[1]);
+    square[1] = square[0] + slope[0] * (high - low) / 3.0;
+    square[2] = square[3] - slope[1] * (high - low) / 3.0;
+    common_revolved_curve(p, low, high, square, UINT32_MAX);
+    for (int i = 1; i < SAMPLES; i++) {
+        const double y = low + (high - low) * i / SAMPLES, about = p->square[0] + y * (p->square[1] + y * (p->square[2] + y * p->square[3]));
+
+        most = fmax(most, fabs(about - square_of_arc(o, y, &unused)));
+    }
+    p->loose = 2.0 * most;
+}
+
+static void add_sphere(ovus *o, double low, double high, double middle, double radius)
+{
+    const double third = (high - low) / 3.0, a = low - middle, b = high - middle, rest = radius * radius;
+    const double square[4] = { rest - a * a, rest - a * (a + 2.0 * third), rest - b * (b - 2.0 * third), rest - b * b };
+
+    if (low < high)
+        common_revolved_curve(&o->filter.at[o->filter.count++], low, high, square, UINT32_MAX);
+}
+
+/* For rays at the box. */
+static void make_filter(ovus *o, const pov_host *host, pov_reader *in)
+{
+    o->filter.at = host->alloc(in, (2 + ARCS) * sizeof *o->filter.at);
+    if (!o->filter.at)
+        return;
+    add_sphere(o, -o->bottom, fmin(o->low, o->bottom), 0.0, o->bottom);
+    add_sphere(o, fmax(o->high, o->bottom - o->top), o->bottom + o->top, o->bottom, o->top);
+    for (int i = 0; i < ARCS && o->low < o->high; i++)
+        add_arc(o, o->low + (o->high - o->low) * i / ARCS, o->low + (o->high - o->low) * (i + 1) / ARCS);
+}
 
 static void parse(void *self, const pov_host *host, pov_reader *in)
 {
@@ -46,6 +98,7 @@ static void parse(void *self, const pov_host *host, pov_reader *in)
     o->wide = fmax(fmax(o->bottom, o->top), o->h >= o->low && o->h <= o->high ? K - o->a : 0.0) * (1.0 + 0x1p-40);
     o->boxed.lo = pov_vec3_of(-o->wide, -o->foot, -o->wide);
     o->boxed.hi = pov_vec3_of(o->wide, o->bottom + o->top, o->wide);
+    make_filter(o, host, in);
 }
 
 static bool bounds(const void *self, pov_box *out)
@@ -149,9 +202,42 @@ static void cross(const void *self, const pov_ray *ray, const common_entry *e, p
         cross_arc(&n, o, hits);
 }
 
-COMMON_BOXED_CLASS(ovus, cross)
-
 /* ---- points ---- */
+
+/* Outward, of any length. */
+static pov_vec3 across_at(const ovus *o, pov_vec3 p, uint32_t part)
+{
+    const double ring = sqrt(p.x * p.x + p.z * p.z), out_by = ring > 0.0 ? (ring + o->a) / ring : 0.0;
+
+    return part == ARC ? pov_vec3_of(p.x * out_by, p.y - o->h, p.z * out_by) : pov_sub(p, pov_vec3_of(0.0, part == TOP ? o->bottom : 0.0, 0.0));
+}
+
+/* Rays that clearly go outward from where they start on it do not come back: it is convex. */
+static const double OUTWARD = 0x1p-16;
+
+static void look(const void *self, const common_beams *restrict l, common_verdicts *restrict out)
+{
+    const ovus *o = self;
+
+    common_revolved_look(&o->filter, l, out);
+    for (uint32_t i = 0; i < COMMON_BEAMS; i++) {
+        const pov_vec3 p = pov_vec3_of(l->org[0][i], l->org[1][i], l->org[2][i]), d = pov_vec3_of(l->dir[0][i], l->dir[1][i], l->dir[2][i]);
+
+        if (l->feature[i] == UINT32_MAX)
+            continue;
+        out->passed[i] = pov_dot(across_at(o, p, l->feature[i]), d) > OUTWARD ? 1.0 : 0.0;
+        out->hit[i] = 0.0;
+    }
+}
+
+static uint32_t narrow(const void *self, const pov_own_map *map, uint32_t owner, const pov_rays *rays, pov_candidate *io, uint32_t n)
+{
+    const ovus *o = self;
+
+    return o->filter.count > 0 ? common_narrow(&o->boxed, look, o, map, owner, rays, io, n) : n;
+}
+
+COMMON_NARROW_CLASS(ovus, cross, narrow)
 
 static bool inside(const void *self, pov_vec3 point, pov_vec3 point_lo)
 {
@@ -176,12 +262,8 @@ static void normal(const void *self, const pov_ray *ray, const pov_crossing *at,
     const ovus *o = self;
     const common_ray k = common_enter(ray, pov_two3_of(zero, zero), o->boxed.scale);
     const pov_vec3 p = pov_two3_hi(common_point(&k, at));
-    const double ring = sqrt(p.x * p.x + p.z * p.z), out_by = ring > 0.0 ? (ring + o->a) / ring : 0.0;
 
-    if (at->mark.feature == ARC)
-        *out = pov_unit(pov_vec3_of(p.x * out_by, p.y - o->h, p.z * out_by));
-    else
-        *out = pov_unit(pov_sub(p, pov_vec3_of(0.0, at->mark.feature == TOP ? o->bottom : 0.0, 0.0)));
+    *out = pov_unit(across_at(o, p, at->mark.feature));
 }
 
 /* v is the height's angle, seen from the middle of the axis. Source: measured on POV-Ray 3.7. */

@@ -113,8 +113,16 @@ static void make_sor(pov_reader *in, double size)
         fake_reader_word(in, "open");
 }
 
+static void make_ovus(pov_reader *in, double size)
+{
+    const double bottom = size * (0.2 + U());
+
+    add_number(in, bottom);
+    fake_reader_number(in, bottom * (0.05 + 2.2 * U()));
+}
+
 static const struct { const char *keyword; shape_maker *make; } kinds[] = {
-    { "torus", make_torus }, { "prism", make_prism }, { "lathe", make_lathe }, { "sor", make_sor },
+    { "torus", make_torus }, { "prism", make_prism }, { "lathe", make_lathe }, { "sor", make_sor }, { "ovus", make_ovus },
 };
 enum { MAKERS = sizeof kinds / sizeof kinds[0] };
 
