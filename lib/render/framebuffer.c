@@ -163,24 +163,54 @@ static void decode_values(const encoding *e, double *values, int count)
 
 static float share_of(const float *pixel) { return pixel[3] > 0.0f ? pixel[3] : 1.0f; }
 
+static bool are_alike(const float *rgba, int count)
+{
+    return count > 1 && memcmp(rgba, rgba + 4, 4 * sizeof *rgba * (size_t)(count - 1)) == 0;
+}
+
 /* Colours are multiplied by alpha. */
 static void decode_some(const encoding *e, float *rgba, int count)
 {
     double values[3 * SOME_PIXELS];
 
-    for (int i = 0; i < 3 * count; i++)
-        values[i] = (double)(rgba[i / 3 * 4 + i % 3] / share_of(rgba + i / 3 * 4));
+    for (int i = 0; i < count; i++) {
+        const float *from = rgba + 4 * i, share = share_of(from);
+
+        values[3 * i] = (double)(from[0] / share);
+        values[3 * i + 1] = (double)(from[1] / share);
+        values[3 * i + 2] = (double)(from[2] / share);
+    }
     decode_values(e, values, 3 * count);
-    for (int i = 0; i < 3 * count; i++)
-        rgba[i / 3 * 4 + i % 3] = share_of(rgba + i / 3 * 4) * (float)values[i];
+    for (int i = 0; i < count; i++) {
+        float *to = rgba + 4 * i;
+        const float share = share_of(to);
+
+        to[0] = share * (float)values[3 * i];
+        to[1] = share * (float)values[3 * i + 1];
+        to[2] = share * (float)values[3 * i + 2];
+    }
+}
+
+/* A plain background is decoded once. */
+static void decode_alike(const encoding *e, float *rgba, int count)
+{
+    decode_some(e, rgba, 1);
+    for (int i = 1; i < count; i++)
+        memcpy(rgba + 4 * i, rgba, 4 * sizeof *rgba);
 }
 
 void encoding_linear(const encoding *e, float *rgba, int count)
 {
     if (e->decode == 1.0)
         return;
-    for (int i = 0; i < count; i += SOME_PIXELS)
-        decode_some(e, rgba + 4 * i, count - i < SOME_PIXELS ? count - i : SOME_PIXELS);
+    for (int i = 0; i < count; i += SOME_PIXELS) {
+        const int some = count - i < SOME_PIXELS ? count - i : SOME_PIXELS;
+
+        if (are_alike(rgba + 4 * i, some))
+            decode_alike(e, rgba + 4 * i, some);
+        else
+            decode_some(e, rgba + 4 * i, some);
+    }
 }
 
 void encoding_display(const encoding *e, float *rgba, unsigned char *out, int count)
