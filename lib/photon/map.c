@@ -414,13 +414,46 @@ SIMD_CLONES static uint32_t pass_photons(const photon_block *restrict b, const p
     return held;
 }
 
-/* No disc of the node that the ray passes is wider than this where its own is smaller. */
+/* The same for photons that are seen in the ray's cell, and have narrow discs there. */
+SIMD_CLONES static uint32_t pass_counted(const photon_block *restrict b, const photon_ray *restrict ray, factor by,
+                                         double *restrict where, double *restrict density)
+{
+    const photon_cell cell = *ray->cell;
+    const photon_screen s = *cell.screen;
+    const pov_vec3 from = ray->from, dir = ray->dir;
+    const double length = ray->length, own = b->radius, per_own = three_by_pi / (own * own);
+    const double per_area = 1.0 / ((cell.hi[0] - cell.lo[0]) * (cell.hi[1] - cell.lo[1]));
+    uint32_t held = 0;
+
+    for (int i = 0; i < PHOTON_LANES; i++) {
+        const double x = b->at[0][i] - from.x, y = b->at[1][i] - from.y, z = b->at[2][i] - from.z;
+        const double at = x * dir.x + y * dir.y + z * dir.z, u = x - dir.x * at, v = y - dir.y * at, w = z - dir.z * at;
+        const double near = 1.0 - (u * u + v * v + w * w) / (own * own);
+        const double disc = near > 0.0 ? per_own * near * near * (by.base + by.slope * near) : 0.0;
+        const pov_vec3 d = { b->at[0][i] - s.from.x, b->at[1][i] - s.from.y, b->at[2][i] - s.from.z };
+        const double depth = pov_dot(s.row[2], d) + s.one, p = pov_dot(s.row[0], d) / depth, q = pov_dot(s.row[1], d) / depth;
+        const pov_vec3 k = { s.across[2].x + p * s.across[0].x + q * s.across[1].x, s.across[2].y + p * s.across[0].y + q * s.across[1].y,
+                             s.across[2].z + p * s.across[0].z + q * s.across[1].z };
+        const double area = sqrt(pov_dot(k, k)) / (depth * depth) * per_area;
+        const bool inside = (depth > 0.0) & (p >= cell.lo[0]) & (p < cell.hi[0]) & (q >= cell.lo[1]) & (q < cell.hi[1]);
+        const double counted = inside ? area : 0.0;
+
+        where[i] = at;
+        density[i] = (at >= 0.0) & (at <= length) ? (own < cell.spacing + cell.slope * at ? counted : disc) : 0.0;
+    }
+    for (int i = 0; i < PHOTON_LANES; i++)
+        held |= (uint32_t)(density[i] != 0.0) << i;
+    return held;
+}
+
+/* No disc of the node that the ray passes is wider than this where its own is smaller; nor does the cell reach further. */
 static double widest(const photon_node *n, const photon_ray *ray)
 {
+    const double least = ray->cell ? ray->cell->reach : ray->least, slope = ray->cell ? ray->cell->widening : ray->slope;
     const pov_vec3 middle = pov_scale(pov_add(n->box.lo, n->box.hi), 0.5), half = pov_scale(pov_sub(n->box.hi, n->box.lo), 0.5);
     const double reach = fabs(ray->dir.x) * half.x + fabs(ray->dir.y) * half.y + fabs(ray->dir.z) * half.z;
 
-    return ray->least + ray->slope * lesser(ray->length, greater(pov_dot(pov_sub(middle, ray->from), ray->dir) + reach, 0.0));
+    return least + slope * lesser(ray->length, greater(pov_dot(pov_sub(middle, ray->from), ray->dir) + reach, 0.0));
 }
 
 void photon_map_follow(const photon_map *m, const photon_ray *ray, photon_pass *pass, void *user)
@@ -436,7 +469,8 @@ void photon_map_follow(const photon_map *m, const photon_ray *ray, photon_pass *
             i = n->skip;
             continue;
         }
-        for (held = n->count > 0 ? pass_photons(block_of(m, n), ray, by, where, density) : 0; held; held &= held - 1) {
+        held = n->count == 0 ? 0 : ray->cell ? pass_counted(block_of(m, n), ray, by, where, density) : pass_photons(block_of(m, n), ray, by, where, density);
+        for (; held; held &= held - 1) {
             const uint32_t k = first_of(held);
 
             pass(user, &m->photons[n->first + k], where[k], (float)density[k]);

@@ -60,8 +60,9 @@ void photon_map_find(const photon_map *m, pov_vec3 at, pov_vec3 normal, double l
 void photon_map_count(const photon_map *m, pov_vec3 at, pov_vec3 normal, const photon_cell *cell, photon_visit *visit, void *user);
 /* The same of photons in media for those that a ray passes within their radius, on its first `length`: direction unit.
  * Theirs is light times the length of way that they stand for, and comes per area across the ray. `at`: how far along the
- * ray the photon is. The least radius is `least` at the start, and grows by `slope` along the ray. */
-typedef struct photon_ray { pov_vec3 from, dir; double length, least, slope; } photon_ray;
+ * ray the photon is. The least radius is `least` at the start, and grows by `slope` along the ray; or if there is a cell, photons with
+ * narrow discs count that are seen in it, and no others of the kind. */
+typedef struct photon_ray { pov_vec3 from, dir; double length, least, slope; const photon_cell *cell; } photon_ray;
 typedef void photon_pass(void *user, const photon *p, double at, float density);
 void photon_map_follow(const photon_map *m, const photon_ray *ray, photon_pass *pass, void *user);
 

@@ -103,11 +103,12 @@ static const double more = 2.0, furthest = 0.5, longest = 64.0;
 /* Light that discs of this radius in pixels hold counts in the cell as well without them. */
 static const double narrow = 1.25;
 
-bool photon_view_cell(const photon_view *v, pov_vec3 at, pov_vec3 normal, photon_cell *out)
+/* The cell, but for spacing: how far it reaches across the normal at a place that the sample sees. False: it does not see it. */
+static bool cell_at(const photon_view *v, pov_vec3 at, pov_vec3 normal, photon_cell *out)
 {
     const double same_place = 0x1p-13;   /* pixels */
     const photon_screen *s = v->screen;
-    double place[2], depth, area, spacing;
+    double place[2], depth, area;
     pov_vec3 x, y;
 
     if (!s)
@@ -119,14 +120,38 @@ bool photon_view_cell(const photon_view *v, pov_vec3 at, pov_vec3 normal, photon
     y = gradient(s, 1, place[1], depth);
     area = fabs(pov_dot(normal, pov_cross_product(x, y)));
     out->reach = more * (length_of(pov_cross_product(y, normal)) / v->parts[0] + length_of(pov_cross_product(normal, x)) / v->parts[1]) / area;
-    spacing = photon_view_spacing(v, at);
-    if (!(out->reach < longest * spacing) || (s->one == 0.0 && !(out->reach < furthest * length_of(pov_sub(at, v->from)))))
-        return false;
     for (int i = 0; i < 2; i++) {
         out->lo[i] = floor(v->place[i] * v->parts[i]) / v->parts[i];
         out->hi[i] = out->lo[i] + 1.0 / v->parts[i];
     }
     out->screen = s;
+    return isfinite(out->reach);
+}
+
+static double distance(const photon_view *v, pov_vec3 at) { return length_of(pov_sub(at, v->from)); }
+
+bool photon_view_cell(const photon_view *v, pov_vec3 at, pov_vec3 normal, photon_cell *out)
+{
+    const double spacing = photon_view_spacing(v, at);
+
+    if (!cell_at(v, at, normal, out) || !(out->reach < longest * spacing) ||
+        (v->screen->one == 0.0 && !(out->reach < furthest * distance(v, at))))
+        return false;
     out->spacing = narrow * spacing;
+    out->slope = out->widening = 0.0;
+    return true;
+}
+
+/* In perspective reach is proportional to distance. */
+bool photon_view_along(const photon_view *v, pov_vec3 from, pov_vec3 dir, photon_cell *out)
+{
+    const double start = distance(v, from), unit = fmax(start, 1.0);
+
+    if (!cell_at(v, pov_add(from, pov_scale(dir, unit)), dir, out))
+        return false;
+    out->widening = v->screen->one == 0.0 ? out->reach / (start + unit) : 0.0;
+    out->reach -= out->widening * unit;
+    out->spacing = narrow * photon_view_spacing(v, from);
+    out->slope = narrow * v->slope;
     return true;
 }

@@ -35,15 +35,18 @@ void photon_view_begin(photon_view *v, const photon_screen *screen, const pov_ra
 /* How far apart samples of neighbouring pixels see the place. */
 double photon_view_spacing(const photon_view *v, pov_vec3 at);
 
-/* A cell of a pixel, and where the sample sees it. */
+/* A cell of a pixel, and where the sample sees it. Along a ray, spacing and reach grow by `slope` and `widening` for each unit. */
 typedef struct photon_cell {
     const photon_screen *screen;
     double lo[2], hi[2];         /* on the screen */
-    double reach;                /* no place of the surface that is seen in the cell lies further from the sample's */
-    double spacing;              /* photons with wider discs than this have discs all the same */
+    double reach, widening;      /* no place of the surface, or none at this distance, that is seen in the cell lies further from the
+                                  * sample's */
+    double spacing, slope;       /* photons with wider discs than this have discs all the same */
 } photon_cell;
 
 /* The cell of a surface with this normal. False: there is none, for the place is not seen straight, or too flat. */
 bool photon_view_cell(const photon_view *v, pov_vec3 at, pov_vec3 normal, photon_cell *out);
+/* The cell of a ray in this direction, unit. False: it is not the sample's. */
+bool photon_view_along(const photon_view *v, pov_vec3 from, pov_vec3 dir, photon_cell *out);
 
 #endif

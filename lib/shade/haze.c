@@ -249,10 +249,13 @@ static void add_photon(void *user, const photon *p, double at, float density)
         empty(g);
 }
 
-static colour gather_photons(const photon_map *map, const photon_view *view, const media_march *march)
+static colour gather_photons(const photon_map *map, const photon_view *view, const path *p, const media_march *march)
 {
     const media_segment *on = &march->on;
-    const photon_ray ray = { on->from, on->dir, on->length, view->least * photon_view_spacing(view, on->from), view->least * view->slope };
+    photon_cell cell;
+    const bool straight = !p->mirrored && p->gathers == 0 && photon_view_along(view, on->from, on->dir, &cell);
+    const photon_ray ray = { on->from, on->dir, on->length, view->least * photon_view_spacing(view, on->from), view->least * view->slope,
+                             straight ? &cell : NULL };
     lit_photons g;
 
     g.march = march;
@@ -293,7 +296,7 @@ static void veil(shade_context *c, const path *p, const media_set *set, const me
     if (set->scatters && c->scene->plan->scattering)
         march.given = colour_add(march.given, gather(c, p, &march));
     if (set->scatters && c->photons && c->photons[p->lane]->of[PHOTON_IN].node_count > 0 && set->of[0].leaf != MEDIA_AIR)
-        march.given = colour_add(march.given, gather_photons(&c->photons[p->lane]->of[PHOTON_IN], &c->views[p->lane], &march));
+        march.given = colour_add(march.given, gather_photons(&c->photons[p->lane]->of[PHOTON_IN], &c->views[p->lane], p, &march));
     *by = colour_mul(*by, march.through);
     *given = colour_add(colour_mul(march.through, *given), march.given);
 }

@@ -126,8 +126,8 @@ static void the_difference_of_the_kernels_is_what_they_blur(void **state)
 
 static void discs_that_a_ray_passes_widen_along_it(void **state)
 {
-    const photon_ray narrow = { { 0.05, 0.0, 0.0 }, { 0.0, 0.0, 1.0 }, 3.0, 0.02, 0.0 };
-    const photon_ray wide = { { 0.05, 0.0, 0.0 }, { 0.0, 0.0, 1.0 }, 3.0, 0.02, 0.08 };
+    const photon_ray narrow = { { 0.05, 0.0, 0.0 }, { 0.0, 0.0, 1.0 }, 3.0, 0.02, 0.0, NULL };
+    const photon_ray wide = { { 0.05, 0.0, 0.0 }, { 0.0, 0.0, 1.0 }, 3.0, 0.02, 0.08, NULL };
     double sum = 0.0;
     tiny s;
     photon_map m;

@@ -115,6 +115,66 @@ static void each_photon_counts_once_however_light_gathers(void **state)
     }
 }
 
+static void add_passed(void *user, const photon *p, double at, float density)
+{
+    (void)at;
+    *(double *)user += (double)p->flux.r * (double)density;
+}
+
+/* The same of photons in a medium that rays pass: those lie on the plane z = 0 by chance, and light counts across the rays. */
+static double passed_of(const photon_map *m, const photon_screen *s, bool parallel, double lean, int x, int y, uint32_t number)
+{
+    photon_view v = { .slope = parallel ? 0.0 : 1.0, .width = parallel ? 1.0 : 0.0 };
+    double sum = 0.0;
+    pov_ray ray = ray_at(parallel, lean, x, y);
+
+    photon_view_begin(&v, s, &ray, number);
+    for (int i = 0; i < v.parts[0] * v.parts[1]; i++) {
+        const double dx = (i % v.parts[0] + 0.3) / v.parts[0], dy = (i / v.parts[0] + 0.6) / v.parts[1];
+        photon_ray along = { .length = 50.0 };
+        photon_cell cell;
+
+        ray = ray_at(parallel, lean, x + dx, y + dy);
+        photon_view_begin(&v, s, &ray, number);
+        along.dir = pov_unit(ray.dir);
+        along.from = pov_add(ray.org, pov_scale(along.dir, 0.5));
+        assert_true(photon_view_along(&v, along.from, along.dir, &cell));
+        along.cell = &cell;
+        photon_map_follow(m, &along, add_passed, &sum);
+    }
+    return sum / (v.parts[0] * v.parts[1]);
+}
+
+/* An image of 1 x 1 in the plane that is straight before the camera; what is seen from there at a cosine counts for as much less of it. */
+static void rays_hold_all_light_of_a_medium_once(bool parallel, double lean, uint32_t number, double wanted)
+{
+    double all = 0.0;
+    photon_screen screen;
+    photon_map m;
+    tiny s;
+
+    tiny_begin(&s, NULL);
+    make_screen(&screen, parallel, lean);
+    gather(&m, &s.env);
+    for (int y = 0; y < HIGH; y++)
+        for (int x = 0; x < WIDE; x++)
+            all += passed_of(&m, &screen, parallel, lean, x, y, number) / (WIDE * HIGH);
+    if (!(fabs(all / wanted - 1.0) < 0.01))
+        fail_msg("%.6f instead of %.6f, by sample %d", all, wanted, (int)number);
+    photon_map_free(&m, &s.env);
+    tiny_end(&s);
+}
+
+static void each_photon_of_a_medium_counts_once(void **state)
+{
+    (void)state;
+    for (uint32_t number = 1; number < 200; number = 4 * number + 5) {
+        rays_hold_all_light_of_a_medium_once(true, 0.0, number, 1.0);
+        rays_hold_all_light_of_a_medium_once(true, 3.0, number, 1.0 / 0.8);
+        rays_hold_all_light_of_a_medium_once(false, 0.0, number, 1.0);
+    }
+}
+
 /* m samples of a half have about sqrt(m) cells. */
 static void cells_shrink_as_samples_grow(void **state)
 {
@@ -151,8 +211,12 @@ static void what_is_not_seen_straight_or_too_flat_has_no_cell(void **state)
     assert_false(photon_view_cell(&v, pov_add(at, pov_vec3_of(0.01, 0.0, 0.0)), normal, &cell));
     assert_false(photon_view_cell(&v, pov_sub(ray.org, ray.dir), normal, &cell));
     assert_false(photon_view_cell(&v, at, pov_unit(pov_vec3_of(1.0, 0.0, 0.0)), &cell));
+    assert_true(photon_view_along(&v, ray.org, pov_unit(ray.dir), &cell));
+    assert_false(photon_view_along(&v, ray.org, pov_unit(pov_add(ray.dir, pov_vec3_of(0.01, 0.0, 0.0))), &cell));
+    assert_false(photon_view_along(&v, at, pov_unit(pov_vec3_of(1.0, 0.0, 0.0)), &cell));
     photon_view_begin(&v, NULL, &ray, 0);
     assert_false(photon_view_cell(&v, at, normal, &cell));
+    assert_false(photon_view_along(&v, ray.org, pov_unit(ray.dir), &cell));
 }
 
 static void rays_that_neither_meet_nor_are_parallel_have_no_screen(void **state)
@@ -172,6 +236,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(each_photon_counts_once_however_light_gathers),
+        cmocka_unit_test(each_photon_of_a_medium_counts_once),
         cmocka_unit_test(cells_shrink_as_samples_grow),
         cmocka_unit_test(what_is_not_seen_straight_or_too_flat_has_no_cell),
         cmocka_unit_test(rays_that_neither_meet_nor_are_parallel_have_no_screen),
