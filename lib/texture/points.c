@@ -52,7 +52,7 @@ static bool is_straight(const linear_map *l, int from[3])
 }
 
 /* One coordinate, rounded once. There is at least one point. */
-SIMD_CLONES static void scale_axis(pov_two by, pov_two move, const double *restrict at, const double *restrict at_lo, uint32_t n,
+SIMD_CLONES SIMD_NOINLINE static void scale_axis(pov_two by, pov_two move, const double *restrict at, const double *restrict at_lo, uint32_t n,
                                    double *restrict out)
 {
     uint32_t i = 0;
@@ -78,7 +78,7 @@ static void scale_points(const inverse_map *map, const int from[3], const vec_la
 
 /* The points in the pattern's own space, rounded once. There is at least one: with a loop that tests first, compilers
  * without clones warn of uninitialised lanes. */
-SIMD_CLONES static void map_points(const inverse_map *restrict map, const vec_lanes *restrict at,
+SIMD_CLONES SIMD_NOINLINE static void map_points(const inverse_map *restrict map, const vec_lanes *restrict at,
                                    const vec_lanes *restrict at_lo, uint32_t n, vec_lanes *restrict out)
 {
     uint32_t i = 0;
@@ -88,7 +88,7 @@ SIMD_CLONES static void map_points(const inverse_map *restrict map, const vec_la
     while (++i < n);
 }
 
-SIMD_CLONES static void map_points_exactly(const inverse_map *restrict map, const vec_lanes *restrict at,
+SIMD_CLONES SIMD_NOINLINE static void map_points_exactly(const inverse_map *restrict map, const vec_lanes *restrict at,
                                            const vec_lanes *restrict at_lo, uint32_t n, vec_lanes *restrict out,
                                            vec_lanes *restrict out_lo)
 {
