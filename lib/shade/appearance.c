@@ -158,8 +158,7 @@ void appearance_paint(appearance *out, const plan *p, const model *m, const appe
 
 void appearance_repaint(appearance *out, const plan *p, const model *m, const pigment *at)
 {
-    const bool solid = at->filter == 0.0f && at->transmit == 0.0f;
-    const float opacity = solid ? 1.0f : opacity_of(m, at);
+    const float opacity = opacity_of(m, at);
 
     set_pigment(out, p, at, opacity, emitted_by(m, out->finish, at, opacity));
     if (out->transmissive)

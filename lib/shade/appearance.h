@@ -71,5 +71,21 @@ void appearance_set_material(appearance *out, const material *of);
 void appearance_paint(appearance *out, const plan *p, const model *m, const appearance *of, const pigment *at, bool upper);
 /* The same of one that has the finish, and is no layer: without the filter where no ray goes through. */
 void appearance_repaint(appearance *out, const plan *p, const model *m, const pigment *at);
+/* Where light does not go through the pigment, nor below it, and highlights are white: the same, with opacity 1. */
+static inline bool appearance_is_plain(const appearance *of, const plan *p, const pigment *at)
+{
+    return at->filter == 0.0f && at->transmit == 0.0f && !p->subsurface && of->finish->metallic == 0.0f;
+}
+static inline void appearance_repaint_plain(appearance *out, const model *m, const pigment *at)
+{
+    const finish *f = out->finish;
+
+    out->transmissive = false;
+    out->pigment = at->color;
+    out->opacity = 1.0f;
+    out->diffuse_weight = f->diffuse;
+    out->below_weight = 0.0f;
+    out->emitted = colour_add(colour_mul(colour_mul(f->ambient, at->color), m->ambient_light), colour_mul(f->emission, at->color));
+}
 
 #endif

@@ -362,7 +362,10 @@ void paint_surfaces(const shading *scene, surfaces *s, const painted *p)
             *out = *of;
             appearance_set_material(out, own);
         }
-        appearance_repaint(out, scene->plan, scene->model, &t->pigment);
+        if (appearance_is_plain(out, scene->plan, &t->pigment))
+            appearance_repaint_plain(out, scene->model, &t->pigment);
+        else
+            appearance_repaint(out, scene->plan, scene->model, &t->pigment);
         s->at[i].appearance = out;
         if (!t->bent)
             continue;

@@ -419,7 +419,7 @@ void scatter(shade_context *c, const surfaces *on, batch_queue *q)
 
     if (p->transmission || p->hidden)
         scatter_lanes(&to, p->refraction);
-    else
+    else if (p->reflection)
         mirror_lanes(&to);
     count(&to);
 }
