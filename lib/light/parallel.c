@@ -7,7 +7,7 @@ static void incident(const light *l, const light_origin *from, const light_point
     light_aim_parallel(l, from, at, &out->dir, distance);
     out->tmax = 1.0;
     for (uint32_t i = 0; i < lanes_whole(at->n); i++)
-        factor[i] = 1.0;
+        factor[i] = distance[i] > 0.0 || !(l->flags & LIGHT_AHEAD) ? 1.0 : 0.0;
     light_dim(l, factor, distance, at->n, out);
 }
 

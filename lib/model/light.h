@@ -15,7 +15,8 @@ enum {
     LIGHT_SHADOWLESS = 1,        /* no shadows and no highlights */
     LIGHT_AREA = 2, LIGHT_CIRCULAR = 4, LIGHT_ORIENT = 8, LIGHT_JITTER = 16, LIGHT_AREA_ILLUMINATION = 32,
     LIGHT_NO_MEDIA = 64,         /* no medium scatters it */
-    LIGHT_ATTENUATED = 128       /* the atmosphere and fog dim it on its whole way */
+    LIGHT_ATTENUATED = 128,      /* the atmosphere and fog dim it on its whole way */
+    LIGHT_AHEAD = 256            /* PARALLEL: it shines on nothing behind the plane through its place */
 };
 
 /* A grid of rows x columns points around the position, side by side along two axes, from end to end. */

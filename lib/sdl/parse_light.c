@@ -248,8 +248,10 @@ static void conclude(light_reading *r)
         r->is_parallel |= l->type == LIGHT_CYLINDER;
         l->type = LIGHT_POINT;
     }
-    if (r->is_parallel && l->type != LIGHT_CYLINDER)
+    if (r->is_parallel && l->type != LIGHT_CYLINDER) {
+        l->flags |= l->type == LIGHT_SPOT ? LIGHT_AHEAD : 0;
         l->type = LIGHT_PARALLEL;
+    }
     if (l->type == LIGHT_SPOT) {
         l->radius = cos(degree * given(r->angles[0], 30.0));
         l->falloff = cos(degree * given(r->angles[1], 45.0));

@@ -141,6 +141,31 @@ static void each_point_of_a_parallel_light_has_a_direction_of_its_own(void **sta
     free(lights);
 }
 
+static double floor_at(const char *place, const char *words)
+{
+    char text[512];
+    float *picture;
+    double light;
+
+    snprintf(text, sizeof text, "#version 3.7; global_settings { assumed_gamma 1 } plane { y, 0 pigment { rgb 1 } finish { ambient 0 diffuse 1 } }\n"
+             "camera { location <%s> + 4*y look_at <%s> angle 1 } light_source { <0, 1, 0>, rgb 1 %s point_at <3, -2, 0> }\n", place, place, words);
+    picture = scenes_draw(text, 1, 1, 1, 1);
+    light = (double)picture[0];
+    free(picture);
+    return light;
+}
+
+/* As measured: a cone of parallel light has no angle, but shines only ahead. */
+static void parallel_spotlights_shine_ahead(void **state)
+{
+    (void)state;
+    assert_true(floor_at("-5, 0, 0", "parallel") > 0.7 && floor_at("-5, 0, 0", "parallel") == floor_at("5, 0, 0", "parallel"));
+    assert_true(floor_at("5, 0, 0", "spotlight parallel radius 2 falloff 3") == floor_at("5, 0, 0", "parallel"));
+    assert_true(floor_at("-.9, 0, 0", "parallel spotlight") == floor_at("5, 0, 0", "parallel"));
+    assert_true(floor_at("-1.1, 0, 0", "parallel spotlight") == 0.0 && floor_at("-5, 0, 0", "spotlight parallel") == 0.0);
+    assert_true(floor_at("-5, 0, 0", "spotlight parallel shadowless") > 0.7);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -150,6 +175,7 @@ int main(void)
         cmocka_unit_test(rooms_made_of_planes),
         cmocka_unit_test(glass_and_what_casts_no_shadow),
         cmocka_unit_test(a_room_with_the_light_in_it),
+        cmocka_unit_test(parallel_spotlights_shine_ahead),
         cmocka_unit_test(each_point_of_a_parallel_light_has_a_direction_of_its_own),
         cmocka_unit_test(a_ceiling_does_not_hide_the_light_on_it),
     };
