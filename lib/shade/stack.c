@@ -18,7 +18,8 @@ static coefficient share_of(colour c, float share)
     return out;
 }
 
-/* What a layer reflects is not filtered by those above it, but they count in its weight, as POV-Ray has it. */
+/* What a layer reflects is not filtered by those above it, but they count in its weight as far as they take light, as POV-Ray
+ * has it. */
 bool layer_weigh(layer *out, const model *m, const appearance *a, const onward *on, colour *left)
 {
     if (out->first)
@@ -27,7 +28,7 @@ bool layer_weigh(layer *out, const model *m, const appearance *a, const onward *
         return false;
     out->by = colour_scale(*left, out->share);
     out->reflection = share_of(on->reflection.by, out->share);
-    out->reflection.weight *= fabsf(colour_luminance(*left));
+    out->reflection.weight *= fminf(fabsf(colour_luminance(*left)), 1.0f);
     *left = colour_mul(*left, on->filter.by);
     out->through = share_of(colour_scale(*left, a->finish->refraction), out->share);
     out->is_dark = appearance_is_dark(m, *left);

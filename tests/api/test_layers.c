@@ -175,6 +175,30 @@ static void mirrors_with_other_normals_stay_beside_total_reflection(void **state
     assert_true(fabs(seen_from_below("0", unlike) - 0.9 * 1.25) < 1e-6);
 }
 
+/* A mirror below a layer, and what is behind the camera: nothing but light. */
+static double mirrored(const char *bailout, const char *upper)
+{
+    char text[1024];
+    float *picture, seen;
+
+    snprintf(text, sizeof text, "#version 3.7; global_settings { assumed_gamma 1 adc_bailout %s } #default { finish { ambient 0 diffuse 0 } }\n"
+             "camera { location -5*z look_at 0 angle 1 } plane { z, -9 pigment { rgb 1 } finish { ambient 1 } }\n"
+             "plane { z, 0 texture { pigment { rgb .5 } finish { reflection .2 } } texture { pigment { %s } } }\n", bailout, upper);
+    picture = scenes_draw(text, 1, 1, 1, 1);
+    seen = picture[0];
+    free(picture);
+    return (double)seen;
+}
+
+/* As measured: layers take from the weight of what those below them reflect, but never add to it. */
+static void layers_that_brighten_add_no_weight(void **state)
+{
+    (void)state;
+    assert_true(mirrored(".11", "rgbt <1, 1, 1, .5>") == 0.0 && fabs(mirrored(".09", "rgbt <1, 1, 1, .5>") - 0.2) < 1e-6);
+    assert_true(mirrored(".21", "rgbft <1, 1, 1, .9, .8>") == 0.0 && fabs(mirrored(".19", "rgbft <1, 1, 1, .9, .8>") - 0.2) < 1e-6);
+    assert_true(mirrored(".21", "rgbft <1, 1, 1, .9, .8> } } texture { pigment { rgbt 1.5") == 0.0);
+}
+
 static void assert_film(double bumps, const double reds[10])
 {
     char text[1024];
@@ -240,6 +264,7 @@ int main(void)
         cmocka_unit_test(layers_below_an_opaque_one_are_hidden),
         cmocka_unit_test(total_reflection_weighs_as_much_as_what_would_go_through),
         cmocka_unit_test(the_upper_normal_bends_what_goes_through),
+        cmocka_unit_test(layers_that_brighten_add_no_weight),
         cmocka_unit_test(mirrors_with_other_normals_stay_beside_total_reflection),
         cmocka_unit_test(films_are_as_thick_as_the_mirrored_ray_finds_them),
         cmocka_unit_test(the_upper_film_is_seen_in_total_reflection),
