@@ -16,6 +16,13 @@
 #define COMMON_INLINE static inline
 #endif
 
+/* Before a loop of up to eight turns whose number is known where it is inlined. */
+#if defined(__GNUC__) && !defined(__clang__)
+#define COMMON_UNROLLED _Pragma("GCC unroll 8")
+#else
+#define COMMON_UNROLLED
+#endif
+
 /* Does a host ask a class for the fast extension that this code has? */
 static inline bool common_is_fast(const char *name) { return strcmp(name, POV_SHAPE_FAST) == 0; }
 

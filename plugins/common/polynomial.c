@@ -149,15 +149,54 @@ COMMON_INLINE void along_of(const common_polynomial *p, int n, pov_vec3 o, pov_v
     }
 }
 
-/* The loops of small orders are unrolled. */
+/* s = s (o + d t), of a degree that becomes n. */
+COMMON_INLINE void lift(double *s, int n, double o, double d)
+{
+    s[n] = s[n - 1] * d;
+    COMMON_UNROLLED for (int i = n - 1; i > 0; i--)
+        s[i] = s[i] * o + s[i - 1] * d;
+    s[0] *= o;
+}
+
+/* The same of a small order, with all terms: nothing is looked up, and what is zero by its degree is left out. */
+COMMON_INLINE void dense_along(const double *c, int n, pov_vec3 o, pov_vec3 d, double *out)
+{
+    double power[5][5], y[5];
+
+    power[0][0] = 1.0;
+    COMMON_UNROLLED for (int k = 1; k <= n; k++) {
+        COMMON_UNROLLED for (int i = 0; i < k; i++)
+            power[k][i] = power[k - 1][i];
+        lift(power[k], k, o.z, d.z);
+    }
+    COMMON_UNROLLED for (int i = n; i >= 0; i--) {
+        COMMON_UNROLLED for (int j = n - i; j >= 0; j--) {
+            if (j < n - i)
+                lift(y, n - i - j, o.y, d.y);
+            else
+                y[0] = 0.0;
+            COMMON_UNROLLED for (int k = n - i - j; k >= 0; k--, c++)
+                COMMON_UNROLLED for (int l = 0; l <= k; l++)
+                    y[l] += power[k][l] * *c;
+        }
+        if (i < n)
+            lift(out, n - i, o.x, d.x);
+        else
+            out[0] = 0.0;
+        COMMON_UNROLLED for (int l = 0; l <= n - i; l++)
+            out[l] += y[l];
+    }
+}
+
+/* The loops of order 6 are unrolled. */
 static void along(const common_polynomial *p, pov_vec3 o, pov_vec3 d, double *out)
 {
     double small[7 * 7], power[MOST * MOST];
 
     switch (p->order) {
-    case 2: along_of(p, 2, o, d, small, out); break;
-    case 3: along_of(p, 3, o, d, small, out); break;
-    case 4: along_of(p, 4, o, d, small, out); break;
+    case 2: dense_along(p->at, 2, o, d, out); break;
+    case 3: dense_along(p->at, 3, o, d, out); break;
+    case 4: dense_along(p->at, 4, o, d, out); break;
     case 6: along_of(p, 6, o, d, small, out); break;
     default: along_of(p, p->order, o, d, power, out); break;
     }
@@ -260,7 +299,8 @@ static void search_stretch(search *s, const common_polynomial *p, double lo, dou
 {
     double c[MOST], b[MOST], root[MOST], sum = 0.0;
     const int degree = p->order - s->from_here;
-    const double length = hi - lo;
+    const double length = hi - lo, per_length = 1.0 / length;
+    const common_wanted wanted = common_wants(s->k, lo, 0.0, s->hits);
     uint32_t found;
 
     s->base = lo;
@@ -268,7 +308,7 @@ static void search_stretch(search *s, const common_polynomial *p, double lo, dou
     for (int i = 0; i <= degree; i++)
         sum += fabs(c[i + s->from_here]);
     common_bernstein(c + s->from_here, degree, b);
-    found = common_bernstein_roots(b, degree, (degree + 4) * 0x1p-51 * sum, root);
+    found = common_bernstein_first(b, degree, (degree + 4) * 0x1p-51 * sum, wanted.enough * per_length, wanted.within * per_length, root);
     for (uint32_t i = 0; i < found; i++)
         if (!report(s, root[i] * length))
             return;
@@ -343,7 +383,7 @@ static sloped row_at(const common_polynomial *p, uint32_t row, double z)
 }
 
 /* Horner's scheme from the highest powers that are there. */
-static double value_at(const common_polynomial *p, pov_vec3 at, pov_vec3 *out)
+static double sparse_at(const common_polynomial *p, pov_vec3 at, pov_vec3 *out)
 {
     const int n = p->order;
     sloped s = { 0.0, 0.0, 0.0, 0.0 };
@@ -366,6 +406,44 @@ static double value_at(const common_polynomial *p, pov_vec3 at, pov_vec3 *out)
     }
     *out = pov_vec3_of(s.x, s.y, s.z);
     return s.value;
+}
+
+/* The same of a small order, with all powers: nothing is looked up. */
+COMMON_INLINE double dense_at(const double *c, int n, pov_vec3 at, pov_vec3 *out)
+{
+    sloped s = { 0.0, 0.0, 0.0, 0.0 };
+
+    COMMON_UNROLLED for (int i = n; i >= 0; i--) {
+        sloped y = { 0.0, 0.0, 0.0, 0.0 };
+
+        COMMON_UNROLLED for (int j = n - i; j >= 0; j--) {
+            sloped z = { 0.0, 0.0, 0.0, 0.0 };
+
+            COMMON_UNROLLED for (int k = n - i - j; k >= 0; k--) {
+                z.z = z.z * at.z + z.value;
+                z.value = z.value * at.z + *c++;
+            }
+            y.y = y.y * at.y + y.value;
+            y.value = y.value * at.y + z.value;
+            y.z = y.z * at.y + z.z;
+        }
+        s.x = s.x * at.x + s.value;
+        s.value = s.value * at.x + y.value;
+        s.y = s.y * at.x + y.y;
+        s.z = s.z * at.x + y.z;
+    }
+    *out = pov_vec3_of(s.x, s.y, s.z);
+    return s.value;
+}
+
+static double value_at(const common_polynomial *p, pov_vec3 at, pov_vec3 *out)
+{
+    switch (p->order) {
+    case 2: return dense_at(p->at, 2, at, out);
+    case 3: return dense_at(p->at, 3, at, out);
+    case 4: return dense_at(p->at, 4, at, out);
+    default: return sparse_at(p, at, out);
+    }
 }
 
 bool common_polynomial_inside(const void *self, pov_vec3 point, pov_vec3 point_lo)
