@@ -79,14 +79,15 @@ static void add_tree(compile_state *f, uint32_t which, uint16_t mark)
     const leaf_node *first = &f->model->leaves.items[t->members[0].leaf];
     const uint32_t index = (uint32_t)f->model->leaves.count + which;
     const object_info info = { .slot = note_members(f, t), .material = first->material };
+    const bool filtered = f->use_blocks && (t->chords.all || t->clipped.count > 0);
     const leaf_node leaf = { .shape = &csg_class, .instance = &f->roots[which], .material = first->material,
                              .line = first->line, .column = first->column };
 
     f->roots[which].tree = t;
     f->tree_leaves[which] = leaf;
     f->objects_info[index] = info;
-    f->group[index] = (uint16_t)(mark + (f->use_blocks && t->chords.all ? COMPILE_SHARES_LEAF - COMPILE_SINGLE : 0));
-    f->packed += f->use_blocks && t->chords.all;
+    f->group[index] = (uint16_t)(mark + (filtered ? COMPILE_SHARES_LEAF - COMPILE_SINGLE : 0));
+    f->packed += filtered;
     if (f->moved)
         f->moved[index] = NULL;
     if (t->empty)

@@ -62,10 +62,20 @@ typedef struct clip_search {
     pov_crossing at[CROSSINGS];
 } clip_search;
 
-/* Crossings of a member between two distances, into `at`. */
-static uint32_t intersect(clip_search *s, const csg_member *m, const pov_ray *own, double from, double to, const pov_hits *hits)
+static void begin(clip_search *s, csg_traversal *w)
 {
-    pov_hits found = { .tmin = from, .tmax = to, .want = POV_WANT_ALL, .at = s->at, .capacity = CROSSINGS, .grow = csg_no_more,
+    s->w = w;
+    s->enter = 0.0;
+    s->leave = HUGE_VAL;
+    s->escalated = 0;
+    s->unsure = false;
+}
+
+/* Crossings of a member between two distances, into `at`: all, or the first of them. */
+static uint32_t intersect(clip_search *s, const csg_member *m, const pov_ray *own, double from, double to, pov_want want,
+                          const pov_hits *hits)
+{
+    pov_hits found = { .tmin = from, .tmax = to, .want = want, .at = s->at, .capacity = CROSSINGS, .grow = csg_no_more,
                        .user = hits->user, .scratch = hits->scratch, .owner = s->w->scratch->names + m->leaf };
     class_counts *classes = s->w->scratch->classes;
 
@@ -100,7 +110,7 @@ static const pov_ray *ray_of(const clip_search *s, const csg_member *m, pov_ray 
 static bool narrow(clip_search *s, const csg_member *m, const pov_hits *hits)
 {
     pov_ray own;
-    const uint32_t count = intersect(s, m, ray_of(s, m, &own), 0.0, HUGE_VAL, hits);
+    const uint32_t count = intersect(s, m, ray_of(s, m, &own), 0.0, HUGE_VAL, POV_WANT_ALL, hits);
     const bool in_order = count < 2 || is_before(s, s->at[0].t, s->at[1].t);
     const double in = count < 2 ? 0.0 : s->at[!in_order].t, out = count == 0 ? 0.0 : s->at[count < 2 ? 0 : in_order].t;
 
@@ -113,12 +123,13 @@ static bool narrow(clip_search *s, const csg_member *m, const pov_hits *hits)
     return is_before(s, s->enter, s->leave);
 }
 
-/* The first of the surface's crossings within the clips. NULL: there is none. */
-static const pov_crossing *first_of_surface(clip_search *s, uint32_t count)
+/* The first of the surface's crossings within the clips, whose ends are off by less than `off`. NULL: there is none. */
+static const pov_crossing *first_of_surface(clip_search *s, uint32_t count, double off)
 {
     const pov_crossing *first = NULL;
 
     for (uint32_t i = 0; i < count; i++) {
+        s->unsure = s->unsure || fabs(s->at[i].t - s->enter) < off || fabs(s->at[i].t - s->leave) < off;
         if (is_before(s, s->at[i].t, s->enter) || is_before(s, s->leave, s->at[i].t))
             continue;
         first = !first || is_before(s, s->at[i].t, first->t) ? &s->at[i] : first;
@@ -142,24 +153,59 @@ static bool report(const csg_member *m, const pov_ray *own, const pov_crossing *
     return true;
 }
 
-bool csg_clipped_first(csg_traversal *w, pov_hits *hits)
+/* Where the ray is within all clips, in double-double. False: it never is, or not before its end; or that is open. */
+static bool narrow_all(clip_search *s, const pov_hits *hits)
 {
-    const csg_clipped *c = &w->tree->clipped;
-    const csg_member *m = &w->tree->members[c->surface];
-    clip_search s = { .w = w, .leave = HUGE_VAL };
+    const csg_tree *t = s->w->tree;
+
+    for (uint32_t i = 0; i < t->clipped.count; i++)
+        if (!narrow(s, &t->members[t->clipped.clip[i]], hits))
+            return false;
+    return !(s->enter > hits->tmax + hits->slack);
+}
+
+/* The same by the outline, all ends off by less than `off`. CSG_OPEN: doubles do not tell. */
+static csg_found narrow_by_outline(clip_search *s, const pov_hits *hits, double *off)
+{
+    csg_intervals k;
+
+    if (!csg_outline_common(s->w->tree->outline, s->w->ray, &k))
+        return CSG_OPEN;
+    *off = CSG_OUTLINE_MARGIN * k.per_unit;
+    s->enter = (k.in[0] - k.start) * k.per_unit;
+    s->leave = (k.out[0] - k.start) * k.per_unit;
+    return s->enter > s->leave + *off || s->leave < -*off || s->enter - *off > hits->tmax + hits->slack ? CSG_NOTHING : CSG_CROSSED;
+}
+
+/* Of ends that are off nothing lies outside of them, and no crossing counts but the first. False: open. */
+static bool find_between(clip_search *s, double from, double to, double off, pov_hits *hits)
+{
+    const csg_member *m = &s->w->tree->members[s->w->tree->clipped.surface];
     const pov_crossing *first;
     const pov_ray *ray;
     pov_ray own;
 
-    for (uint32_t i = 0; i < c->count; i++)
-        if (!narrow(&s, &w->tree->members[c->clip[i]], hits))
-            return !s.unsure;
-    if (s.enter > hits->tmax + hits->slack)
-        return true;
-    ray = ray_of(&s, m, &own);
-    first = first_of_surface(&s, intersect(&s, m, ray, s.enter * (1.0 - beside), s.leave * (1.0 + beside), hits));
-    if (s.unsure)
+    ray = ray_of(s, m, &own);
+    first = first_of_surface(s, intersect(s, m, ray, from, to, off > 0.0 ? POV_WANT_NEAREST : POV_WANT_ALL, hits), off);
+    if (s->unsure)
         return false;
-    hits->escalated += s.escalated;
+    hits->escalated += s->escalated;
     return !first || report(m, ray, first, hits);
+}
+
+bool csg_clipped_first(csg_traversal *w, pov_hits *hits)
+{
+    csg_found found = CSG_OPEN;
+    clip_search s;
+    double off;
+
+    begin(&s, w);
+    if (w->tree->clipped.outlined)
+        found = narrow_by_outline(&s, hits, &off);
+    if (found == CSG_NOTHING || (found == CSG_CROSSED && find_between(&s, fmax(s.enter - off, 0.0), s.leave + off, off, hits)))
+        return true;
+    begin(&s, w);
+    if (!narrow_all(&s, hits))
+        return !s.unsure;
+    return find_between(&s, s.enter * (1.0 - beside), s.leave * (1.0 + beside), 0.0, hits);
 }

@@ -255,7 +255,7 @@ static bool find_first(csg_traversal *w, pov_hits *hits)
         return false;
     if (t->chords.all)
         return csg_chords_first(w, hits);
-    return (t->outline && csg_sweep_first(w, hits)) || (t->clipped.count > 0 && csg_clipped_first(w, hits));
+    return (t->outline && !t->clipped.outlined && csg_sweep_first(w, hits)) || (t->clipped.count > 0 && csg_clipped_first(w, hits));
 }
 
 void csg_intersect(const void *self, const pov_ray *ray, pov_hits *hits)

@@ -153,9 +153,13 @@ SIMD_INLINE void cross_column(const csg_outline *of, uint32_t column, near_rays 
         cross_round(of, column, k);
 }
 
-/* Rays that are never within all members that are no complements, ahead and before their end, certainly pass the tree. */
+/* The columns that hold the tree: a ray that is never within all of them passes it. */
+static uint32_t within_of(const csg_tree *t) { return t->clipped.outlined ? (1u << t->clipped.count) - 1 : t->chords.within; }
+
+/* Rays that are never within all members that are no complements, ahead and before their end, certainly pass the tree. Others do not
+ * cross it before `lo`. */
 SIMD_CLONES SIMD_NOINLINE static void find_passing(const csg_tree *t, const pov_rays *restrict rays, uint32_t first, uint32_t n,
-                                     near_rays *restrict k, double *restrict passed)
+                                     near_rays *restrict k, double *restrict passed, double *restrict lo)
 {
     SIMD_ALIGNED lane enter, leave, most;
 
@@ -170,7 +174,7 @@ SIMD_CLONES SIMD_NOINLINE static void find_passing(const csg_tree *t, const pov_
         enter[i] = -HUGE_VAL;
         leave[i] = HUGE_VAL;
     }
-    for (uint32_t left = t->chords.within; left; left &= left - 1) {
+    for (uint32_t left = within_of(t); left; left &= left - 1) {
         const uint32_t c = first_of(left);
 
         cross_column(t->outline, c, k);
@@ -181,9 +185,10 @@ SIMD_CLONES SIMD_NOINLINE static void find_passing(const csg_tree *t, const pov_
     }
     SIMD_LOOP for (uint32_t i = 0; i < TOGETHER; i++) {
         const double start = k->of[START][i], beside = greater(enter[i], start) - leave[i];
-        const double never = beside > margin ? 1.0 : (enter[i] - start - margin) * k->of[PER_UNIT][i] > most[i] ? 1.0 : 0.0;
+        const double from = (enter[i] - start - margin) * k->of[PER_UNIT][i], never = beside > margin ? 1.0 : from > most[i] ? 1.0 : 0.0;
 
         passed[i] = k->of[OPEN][i] > 0.0 ? 0.0 : never;
+        lo[i] = k->of[OPEN][i] > 0.0 ? 0.0 : greater(from, 0.0);
     }
 }
 
@@ -385,14 +390,14 @@ static uint32_t staying(const csg_tree *t, const pov_rays *rays, uint32_t first,
 static void take(const csg_tree *t, const pov_rays *rays, uint32_t first, uint32_t some, waiting *to)
 {
     near_rays *k = &to->group[to->count % TOGETHER ? GROUPS : to->count / TOGETHER];
-    SIMD_ALIGNED lane passed;
+    SIMD_ALIGNED lane passed, lo;
     uint32_t n;
 
     some = staying(t, rays, first, some);
     if (!some)
         return;
     n = some >> TOGETHER / 2 ? TOGETHER : TOGETHER / 2;
-    find_passing(t, rays, first, n, k, passed);
+    find_passing(t, rays, first, n, k, passed, lo);
     for (uint32_t i = 0; i < TOGETHER; i++) {
         k->ray[i] = (uint8_t)(first + i % n);
         some &= ~((passed[i] > 0.0 ? 1u : 0u) << i);
@@ -450,6 +455,28 @@ static uint32_t filter(const csg_tree *t, const pov_rays *rays, uint64_t lanes, 
     return found;
 }
 
+/* What is clipped is left to csg_intersect() where its clips do not tell. */
+static uint32_t filter_clipped(const csg_tree *t, const pov_rays *rays, uint64_t lanes, uint32_t which, pov_candidate *out)
+{
+    SIMD_ALIGNED lane passed, lo;
+    uint32_t found = 0;
+    near_rays k;
+
+    for (uint32_t first = 0; first < POV_RAYS_MAX && lanes >> first; first += TOGETHER) {
+        uint32_t some = (uint32_t)(lanes >> first) & ((1u << TOGETHER) - 1);
+
+        if (some)
+            find_passing(t, rays, first, some >> TOGETHER / 2 ? TOGETHER : TOGETHER / 2, &k, passed, lo);
+        for (; some; some &= some - 1) {
+            const uint32_t i = first_of(some);
+
+            out[found] = (pov_candidate){ .lo = lo[i], .ray = (uint8_t)(first + i), .lane = (uint8_t)which };
+            found += !(passed[i] > 0.0);
+        }
+    }
+    return found;
+}
+
 static uint32_t decline(uint64_t lanes, uint32_t which, pov_candidate *out)
 {
     uint32_t n = 0;
@@ -469,8 +496,10 @@ uint32_t csg_filter(const void *block, const uint32_t *owners, const pov_rays *r
     for (uint32_t which = 0; which < b->count; which++) {
         const csg_tree *t = b->tree[which];
 
-        if ((lanes & (lanes - 1)) == 0 || !t->outline)
+        if ((lanes & (lanes - 1)) == 0 || !t->outline || !within_of(t))
             n += decline(lanes, which, out + n);
+        else if (t->clipped.outlined)
+            n += filter_clipped(t, rays, lanes, which, out + n);
         else
             n += filter(t, rays, lanes, which, out + n);
     }

@@ -187,6 +187,17 @@ static bool find_columns(const csg_tree *t, csg_outline *of)
     return !t->empty;
 }
 
+/* Where the surface that is clipped has no outline: the clips alone. */
+static bool take_clips(csg_tree *t, csg_outline *of)
+{
+    const csg_outline clips = { .count = t->clipped.count };
+
+    *of = clips;
+    memcpy(of->member, t->clipped.clip, sizeof t->clipped.clip);
+    t->clipped.outlined = clips.count > 0;
+    return t->clipped.outlined;
+}
+
 static const csg_member *member_at(const csg_tree *t, const csg_outline *of, uint32_t column)
 {
     return &t->members[of->member[column]];
@@ -212,12 +223,13 @@ static bool ask_columns(const csg_tree *t, csg_outline *of, pov_outline *all)
 /* The sets of so many columns have their values in a table: more would take long to fill where there are many trees. */
 enum { TABLE_COLUMNS = 6 };
 
-/* What stands behind the numbers: of trees with chords what quadrics are turned, of others the table. */
-static size_t turned_size(const csg_tree *t, const csg_outline *of) { return t->chords.all ? of->quadrics * sizeof *of->turned : 0; }
+/* What stands behind the numbers: of trees with chords, and of clips, what quadrics are turned, of others the table. */
+static bool is_narrowed(const csg_tree *t) { return t->chords.all || t->clipped.outlined; }
+static size_t turned_size(const csg_tree *t, const csg_outline *of) { return is_narrowed(t) ? of->quadrics * sizeof *of->turned : 0; }
 
 static size_t table_size(const csg_tree *t, const csg_outline *of)
 {
-    return t->chords.all || of->count > TABLE_COLUMNS ? 0 : (size_t)1 << of->count;
+    return is_narrowed(t) || of->count > TABLE_COLUMNS ? 0 : (size_t)1 << of->count;
 }
 
 /* Values for all sets of columns, each one that differs from one before it in a single column. False: no memory. */
@@ -266,28 +278,33 @@ static void find_middle(const csg_tree *t, const pov_outline *all, csg_outline *
     of->per_size = 1.0 / of->size;
 }
 
+static bool drop_outline(csg_tree *t, const env *e)
+{
+    env_free(e, t->outline);
+    t->outline = NULL;
+    t->clipped.outlined = false;
+    return true;
+}
+
 bool csg_find_outline(csg_tree *t, const env *e)
 {
     csg_outline of = { .count = 0 };
     pov_outline all[CSG_COLUMNS];
     size_t numbers;
 
-    if (!find_columns(t, &of) || !ask_columns(t, &of, all))
-        return true;
+    if ((!find_columns(t, &of) || !ask_columns(t, &of, all)) && (!take_clips(t, &of) || !ask_columns(t, &of, all)))
+        return drop_outline(t, e);
     find_middle(t, all, &of);
     if (!(of.per_size > 1e-100 && of.per_size < 1e100))
-        return true;
+        return drop_outline(t, e);
     numbers = SLAB_NUMBERS * of.slabs + QUADRIC_NUMBERS * of.quadrics;
     t->outline = env_alloc(e, 1, sizeof of + numbers * sizeof(double) + turned_size(t, &of) + table_size(t, &of));
     if (!t->outline)
         return false;
     *t->outline = of;
     t->outline->turned = turned_size(t, &of) ? (csg_turned *)(void *)(t->outline->numbers + numbers) : NULL;
-    if (!add_all(t, all, t->outline)) {
-        env_free(e, t->outline);
-        t->outline = NULL;
-        return true;
-    }
+    if (!add_all(t, all, t->outline))
+        return drop_outline(t, e);
     if (table_size(t, &of) == 0)
         return true;
     t->outline->values = (uint8_t *)(t->outline->numbers + numbers);
@@ -392,6 +409,42 @@ bool csg_outline_cross(const csg_outline *of, const pov_ray *ray, csg_intervals 
     near_ray k;
 
     return come_near(of, ray, &k, out) && gather(of, &k, out);
+}
+
+static void narrow(csg_stretch s, csg_stretch *io)
+{
+    io->in = s.in > io->in ? s.in : io->in;
+    io->out = s.out < io->out ? s.out : io->out;
+    io->open += s.square < 0.0 ? 1.0 : s.open;
+}
+
+/* What a column's slabs and quadric have in common with a stretch. */
+static void narrow_column(const csg_outline *of, uint32_t c, const near_ray *k, csg_stretch *io)
+{
+    const double *quadric = of->numbers + SLAB_NUMBERS * of->slabs + csg_number(QUADRIC_NUMBERS, of->quadric[c]);
+
+    for (uint32_t i = of->first_slab[c]; i < of->first_slab[c + 1]; i++)
+        narrow(csg_cross_slab(of->numbers + csg_number(SLAB_NUMBERS, i), k->at, k->along, CSG_LEAST_HEIGHT), io);
+    if (!(of->round >> c & 1))
+        return;
+    if (of->turned[of->quadric[c]].kind == CSG_SPHERE)
+        narrow(csg_cross_turned(quadric, &of->turned[of->quadric[c]], false, k->at, k->along, pov_dot(k->at, k->at)), io);
+    else
+        narrow(csg_cross_quadric(quadric, k->at, k->along, 1.0), io);
+}
+
+bool csg_outline_common(const csg_outline *of, const pov_ray *ray, csg_intervals *out)
+{
+    csg_stretch s = { -HUGE_VAL, HUGE_VAL, 0.0, 0.0 };
+    near_ray k;
+
+    if (!come_near(of, ray, &k, out))
+        return false;
+    for (uint32_t c = 0; c < of->count; c++)
+        narrow_column(of, c, &k, &s);
+    out->in[0] = s.in;
+    out->out[0] = s.out;
+    return s.open == 0.0;
 }
 
 uint32_t csg_outline_column(const csg_traversal *w)

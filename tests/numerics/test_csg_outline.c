@@ -1,6 +1,6 @@
 /* test_csg_outline.c - solids of few members, moved, turned and stretched: the first crossing that their outlines find, for rays one by
  * one and side by side, against the walk in double-double, which does not know them. Of convex members and complements of such, and of
- * planes and quadrics too in unions, intersections, differences and clips within each other. */
+ * planes and quadrics too in unions, intersections, differences and clips within each other; and tori that convex members clip. */
 #include "query/context.h"   /* before probe.h, whose name for a kind it uses for a parameter */
 
 #include "numerics/families.h"
@@ -115,14 +115,12 @@ static void make_any(const scene *s, probe *p)
     make_endless(p);
 }
 
-static node_ref add_member(scene *s)
+static node_ref add_probe(scene *s, probe p)
 {
     shape_class written;
     const shape_class *shape;
-    probe p;
     void *self;
 
-    make_any(s, &p);
     shape = fake_reader_shape(probe_keyword(p.kind));
     written = *shape;
     self = fake_reader_memory(s->in, shape->instance_size + shape->parsed_size);
@@ -131,6 +129,14 @@ static node_ref add_member(scene *s)
     written.prepare = NULL;
     assert_true(probe_make(&p, &written, s->in, self));
     return test_add(&s->model, shape, self, U() < 0.6 ? s->map : make_map(&s->model), 0, s->endless && U() < 0.1 ? LEAF_INVERSE : 0);
+}
+
+static node_ref add_member(scene *s)
+{
+    probe p;
+
+    make_any(s, &p);
+    return add_probe(s, p);
 }
 
 static void make_tree(scene *s)
@@ -181,6 +187,21 @@ static void make_any_tree(scene *s)
     if (boxed)
         children[1] = add_member(s);
     assert_true(model_add_group(&s->model, &all, children, 2, &root));
+    assert_true(model_add_tree(&s->model, root));
+}
+
+/* A torus, which has no outline, within one convex member or two. */
+static void make_clipped_tree(scene *s)
+{
+    group_node all = { .op = NODE_CLIP, .line = 1, .column = 1 };
+    const probe torus = { .kind = TORUS, .count = 2, .size = 1.0, .number = { 0.3 + U(), 0.1 + 0.4 * U() } };
+    const uint32_t n = U() < 0.2 ? 3 : 2;
+    node_ref children[3], root;
+
+    children[0] = add_probe(s, torus);
+    for (uint32_t i = 1; i < n; i++)
+        children[i] = add_member(s);
+    assert_true(model_add_group(&s->model, &all, children, n, &root));
     assert_true(model_add_tree(&s->model, root));
 }
 
@@ -353,11 +374,20 @@ static void outlines_of_any_nodes_find_what_the_walk_finds(void **state)
     assert_true(all.hits > rays / 10 && all.blocked > all.hits / 2);
 }
 
+static void outlines_of_clips_find_what_the_walk_finds(void **state)
+{
+    const tally all = ask_all(make_clipped_tree);
+
+    (void)state;
+    assert_true(all.hits > rays / 40 && all.blocked > all.hits / 2);
+}
+
 int main(int argc, char **argv)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(outlines_find_what_the_walk_finds),
         cmocka_unit_test(outlines_of_any_nodes_find_what_the_walk_finds),
+        cmocka_unit_test(outlines_of_clips_find_what_the_walk_finds),
     };
 
     if (argc > 1)

@@ -104,7 +104,7 @@ typedef struct pov_shape_fast {
     uint32_t (*hull)(const void *self, const pov_half_space *within, uint32_t n, pov_half_space *out);
     /* [load] Is it such a solid? Solids made of several then look for a ray's crossing in all side by side. */
     bool (*outline)(const void *self, pov_outline *out);
-    /* [render] As intersect() for POV_WANT_ALL, where the interval comes from the scene around the shape and depends on nothing but the
+    /* [render] As intersect(), where the interval comes from the scene around the shape and depends on nothing but the
      * ray: it may shorten the search, and last bits of crossings may depend on it. */
     void (*intersect_between)(const void *self, const pov_ray *ray, pov_hits *hits);
     /* [render] A closer look at candidates of an instanced shape, by its box: leaves out those that certainly pass it, narrows the
