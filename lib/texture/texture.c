@@ -14,7 +14,15 @@ typedef struct part {
     float share[LANES_MAX];
 } part;
 
-typedef struct terms { const model *model; texture_term *items; uint32_t count; } terms;
+/* Slope and aoi see the normal that the texture bent last at a point, as in POV-Ray: in a layer above, or in a member that is
+ * asked before. */
+typedef struct terms {
+    const model *model;
+    texture_term *items;
+    uint32_t count;
+    bool sees;                   /* some pattern asks for normals where some are bent */
+    vec_lanes seen;              /* these, by lane of the whole, if so */
+} terms;
 
 static const texture *const *layers_of(const texture *const *of, uint32_t *count)
 {
@@ -83,19 +91,54 @@ bool texture_is_of_view(const texture *of)
     return found;
 }
 
-/* As in POV-Ray slope and aoi take the normal that the texture itself has bent. */
-static void find_pigments(const model *m, const texture *layer, const texture_points *points, uint32_t n,
-                          const vec_lanes *normals, pigment *out)
+/* Does slope or aoi see a normal that may be bent? */
+static bool may_see(const texture *of, bool *bends)
 {
-    texture_points bent;
+    bool sees = asks(of->pattern, PATTERN_NEEDS_NORMAL);
 
-    if (!layer->normal || !points->has_surface || !pigment_asks(layer->pigment, PATTERN_NEEDS_NORMAL)) {
-        pigment_eval(m, layer->pigment, points, n, out);
+    if (of->blend == BLEND_NONE) {
+        *bends |= of->normal != NULL;
+        return pigment_asks(of->pigment, PATTERN_NEEDS_NORMAL);
+    }
+    for (uint32_t i = 0; i < of->count; i++)
+        sees |= may_see(of->textures[i], bends);
+    return sees;
+}
+
+static bool sees_bent(const texture *of)
+{
+    bool bends = false;
+    const bool sees = may_see(of, &bends);
+
+    return sees && bends;
+}
+
+/* The points with the normals that are seen there. */
+static void see(const terms *t, const texture_points *points, const part *p, texture_points *out)
+{
+    *out = *points;
+    for (uint32_t i = 0; i < p->n; i++)
+        lanes_put(&out->normal, i, lanes_at(&t->seen, p->lane[i]));
+}
+
+static void find_pigments(const terms *t, const texture *layer, const texture_points *points, const part *p, pigment *out)
+{
+    texture_points seen;
+
+    if (!t->sees || !pigment_asks(layer->pigment, PATTERN_NEEDS_NORMAL)) {
+        pigment_eval(t->model, layer->pigment, points, p->n, out);
         return;
     }
-    bent = *points;
-    bent.normal = *normals;
-    pigment_eval(m, layer->pigment, &bent, n, out);
+    see(t, points, p, &seen);
+    pigment_eval(t->model, layer->pigment, &seen, p->n, out);
+}
+
+/* Normals that a layer bends are seen from then on. */
+static void bend(terms *t, const texture *layer, const texture_points *points, const part *p, vec_lanes *normals)
+{
+    find_normals(t->model, layer, points, p, normals);
+    for (uint32_t i = 0; t->sees && i < p->n; i++)
+        lanes_put(&t->seen, p->lane[i], lanes_at(normals, i));
 }
 
 /* The terms of each lane follow one another, from the top. */
@@ -110,8 +153,8 @@ static void add_stack(terms *t, const texture *of, const texture_points *points,
         const texture *layer = layers[count - 1 - k];
 
         if (layer->normal)
-            find_normals(t->model, layer, points, p, &normals);
-        find_pigments(t->model, layer, points, p->n, &normals, pigments);
+            bend(t, layer, points, p, &normals);
+        find_pigments(t, layer, points, p, pigments);
         for (uint32_t i = 0; i < p->n; i++) {
             texture_term *out = &t->items[t->count + i * count + k];
 
@@ -140,6 +183,20 @@ static void find(const model *m, const texture *of, const texture_points *points
         points_values(&in, value);
     blend_find(b, of->blend, of->values, of->count, value, n);
     blend_mark(b);
+}
+
+/* The same by normals that are seen; the members bend those of the surface. */
+static void find_seen(const terms *t, const texture *of, const texture_points *points, const part *p, texture_points *inner, blending *b)
+{
+    texture_points seen;
+
+    if (!t->sees || !asks(of->pattern, PATTERN_NEEDS_NORMAL)) {
+        find(t->model, of, points, p->n, inner, b);
+        return;
+    }
+    see(t, points, p, &seen);
+    find(t->model, of, &seen, p->n, inner, b);
+    inner->normal = points->normal;
 }
 
 static void add_terms(terms *t, const texture *of, const texture_points *points, const part *p);
@@ -173,16 +230,26 @@ static void add_terms(terms *t, const texture *of, const texture_points *points,
         add_stack(t, of, points, p);
         return;
     }
-    find(t->model, of, points, p->n, &inner, &b);
-    for (uint32_t k = 0; k < of->count; k++)
+    find_seen(t, of, points, p, &inner, &b);
+    for (uint32_t i = 0; i < of->count; i++) {
+        /* Of two entries of a map the upper one comes first. */
+        const uint32_t k = t->sees && of->blend == BLEND_MAP ? of->count - 1 - i : i;
+
         add_member(t, of->textures[k], &b, k, &inner, p, of->blend == BLEND_PARTS ? p->around : &own);
+    }
 }
 
 uint32_t texture_eval(const model *m, const texture *of, const texture_points *points, uint32_t n, texture_term *out)
 {
-    terms t = { m, out, 0 };
+    terms t;
     part all;
 
+    t.model = m;
+    t.items = out;
+    t.count = 0;
+    t.sees = points->has_surface && sees_bent(of);
+    if (t.sees)
+        t.seen = points->normal;
     all.around = NULL;
     all.n = n;
     for (uint32_t i = 0; i < n; i++) {

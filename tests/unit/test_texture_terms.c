@@ -303,9 +303,49 @@ static void slopes_begin_again_before_their_waves_are_made(void **state)
     }
 }
 
+/* What the last term of a texture shows at a point whose normal is z. */
+static float last_shown(const char *text)
+{
+    const pov_vec3 zero = pov_vec3_of(0, 0, 0);
+    static texture_points points;
+    texture_term t[TERMS_MAX];
+    char scene[512];
+    uint32_t last = 0, count;
+    reading r;
+
+    snprintf(scene, sizeof scene, "#version 3.7; #declare A = pigment { slope y } #declare B = normal { bumps 2 }\n"
+                                  "sphere { 0, 1 %s }", text);
+    read_text(&r, scene);
+    memset(&points, 0, sizeof points);
+    texture_point(NULL, pov_vec3_of(.3, .2, .4), zero, 0, &points);
+    points.has_surface = true;
+    lanes_put(&points.normal, 0, pov_vec3_of(0, 0, 1));
+    count = texture_eval(&r.model, material_of(&r, 0)->texture, &points, 1, t);
+    for (uint32_t i = 0; i < count; i++)
+        last = !t[i].bent ? i : last;
+    reading_end(&r);
+    return t[last].pigment.color.r;
+}
+
+/* Measured by pictures: in POV-Ray slope and aoi see the normal that was bent last, in a layer above, in a member of an average
+ * before them, or in the upper entry of a map. */
+static void slopes_see_the_normal_that_was_bent_last(void **state)
+{
+    const float own = last_shown("texture { pigment { A } normal { B } }"), flat = last_shown("texture { pigment { A } }");
+    (void)state;
+
+    assert_true(own != flat);
+    assert_true(last_shown("texture { pigment { A } } texture { pigment { rgbt .5 } normal { B } }") == own);
+    assert_true(last_shown("texture { average texture_map { [1 pigment { rgb 0 } normal { B }] [1 pigment { A }] } }") == own);
+    assert_true(last_shown("texture { average texture_map { [1 pigment { A }] [1 pigment { rgb 0 } normal { B }] } }") == flat);
+    assert_true(last_shown("texture { gradient x texture_map { [0 pigment { A }] [1 pigment { rgb 0 } normal { B }] } }") == own);
+    assert_true(last_shown("texture { gradient x texture_map { [0 pigment { rgb 0 } normal { B }] [1 pigment { A }] } }") == flat);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(slopes_see_the_normal_that_was_bent_last),
         cmocka_unit_test(slopes_begin_again_before_their_waves_are_made),
         cmocka_unit_test(layers_follow_one_another_from_the_top),
         cmocka_unit_test(an_opaque_layer_hides_what_is_below),
