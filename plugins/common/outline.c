@@ -211,20 +211,28 @@ static bool is_crossed_oddly(const common_piece *c, const tested *t)
     return (side_of(c->x[0], c->y[0], t->p, t->d) >= 0.0) != (side_of(c->x[c->degree], c->y[c->degree], t->p, t->d) >= 0.0);
 }
 
-/* Of pieces that are all straight: on which sides of the line the ends of those from `first` on lie, and a bit for each that has ends on
- * both. */
-static uint32_t straddling_straight(const common_outline *o, uint32_t first, const tested *restrict t, double *restrict from, double *restrict to)
+/* Of straight pieces side by side: on which sides of the line their ends lie, and a bit for each that is crossed, and is certainly before the
+ * range, or may be in it. */
+typedef struct straight_lanes { double from[SIDE], to[SIDE]; uint32_t before, open; } straight_lanes;
+
+static void cross_lanes(const common_outline *o, uint32_t first, const tested *restrict t, straight_lanes *restrict out)
 {
     const double *x = o->rows + first, *y = x + o->stride, *next_x = y + o->stride, *next_y = next_x + o->stride;
-    common_bits both;
+    const double px = t->p[0], py = t->p[1], dx = t->d[0], dy = t->d[1], lo = t->lo, hi = t->hi;
+    common_bits before, open;
 
     for (int l = 0; l < SIDE; l++) {
-        from[l] = side_of(x[l], y[l], t->p, t->d);
-        to[l] = side_of(next_x[l], next_y[l], t->p, t->d);
+        const double a = x[l] - px, b = y[l] - py, c = next_x[l] - px, d = next_y[l] - py, from = a * dy - b * dx, to = c * dy - d * dx;
+        const double s = a * dx + b * dy, e = c * dx + d * dy;
+        const int crossed = (int)(from >= 0.0) ^ (int)(to >= 0.0), early = (int)(s < lo) & (int)(e < lo), late = (int)(s > hi) & (int)(e > hi);
+
+        out->from[l] = from;
+        out->to[l] = to;
+        before.lane[l] = -(crossed & early);
+        open.lane[l] = -(crossed & (early ^ 1) & (late ^ 1));
     }
-    for (int l = 0; l < SIDE; l++)
-        both.lane[l] = -((int)(from[l] >= 0.0) ^ (int)(to[l] >= 0.0));
-    return common_gather_bits(&both);
+    out->before = common_gather_bits(&before);
+    out->open = common_gather_bits(&open);
 }
 
 /* As cross_piece(), with the sides of its ends. */
@@ -241,16 +249,14 @@ static uint32_t cross_all_straight(const common_outline *o, const tested *t, com
     uint32_t count = 0;
 
     for (uint32_t first = 0; first < o->count; first += SIDE) {
-        double from[SIDE], to[SIDE];
+        straight_lanes l;
 
-        for (uint32_t bits = straddling_straight(o, first, t, from, to); bits != 0; bits &= bits - 1) {
-            const uint32_t k = common_first_lane(bits), i = first + k;
-            const int place = place_of(&o->at[i], t);
+        cross_lanes(o, first, t, &l);
+        *odd ^= common_count(l.before) % 2;
+        for (uint32_t bits = l.open; bits != 0; bits &= bits - 1) {
+            const uint32_t k = common_first_lane(bits);
 
-            if (place < 0)
-                *odd = !*odd;
-            else if (place == 0)
-                count = cross_straight(&o->at[i], i, t, from[k], to[k], out, count);
+            count = cross_straight(&o->at[first + k], first + k, t, l.from[k], l.to[k], out, count);
         }
     }
     return count;

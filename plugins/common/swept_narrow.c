@@ -2,6 +2,8 @@
  * two planes. Crossings of the outline before that stretch tell whether it begins inside. */
 #include "common/swept.h"
 
+#include "base/elementary.h"
+
 enum { N = COMMON_BEAMS, LOW_CAP = 0, HIGH_CAP, PIECES };
 
 /* What a ray starts on, where it is no piece. */
@@ -56,14 +58,20 @@ COMMON_CLONES static void find_sides(const lines *restrict n, double x, double y
         out[i] = common_sum_of(x, n->ey[i], -common_sum_of(y, n->ex[i], n->side[i]));
 }
 
-/* May any line cross the piece between two points? */
+/* May any line cross the piece between two points? Of two numbers of one sign the size of their sum less that of their difference is twice
+ * the smaller size; else it is below zero. */
 COMMON_CLONES static bool any_crosses(const lines *restrict n, const double *restrict p, const double *restrict q)
 {
-    common_bits clear;
+    double clear[N], least[N / 2];
+    uint64_t any = 0;
 
     for (uint32_t i = 0; i < N; i++)
-        clear.lane[i] = -((int)(common_lesser(p[i], q[i]) > n->beside[i]) | (int)(greater(p[i], q[i]) < -n->beside[i]));
-    return common_gather_bits(&clear) != (1u << N) - 1;
+        clear[i] = (fabs(p[i] + q[i]) - fabs(p[i] - q[i])) - 2.0 * n->beside[i];
+    for (uint32_t i = 0; i < N / 2; i++)
+        least[i] = common_lesser(clear[i], clear[i + N / 2]);
+    for (uint32_t i = 0; i < N / 2; i++)
+        any |= elementary_bits(least[i]);
+    return any >> 63;
 }
 
 /* What a piece of the outline does to the sums: 1 where the line crosses it, an odd number of times; where that is before what counts; where
