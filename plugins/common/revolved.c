@@ -1,5 +1,7 @@
 #include "common/revolved.h"
 
+#include "base/elementary.h"
+
 enum { N = COMMON_BEAMS };
 
 void common_revolved_curve(common_revolved_part *p, double low, double high, const double b[4], uint32_t feature)
@@ -93,72 +95,135 @@ COMMON_INLINE void add(sums *restrict io, uint32_t i, double hit, double open, d
     io->hi[i] = hit > 0.0 ? lesser(hi, io->hi[i]) : io->hi[i];
 }
 
-/* The stretch of a ray at a part's heights. */
-typedef struct stretch { double from, to, reached; } stretch;
+/* By lane: the stretch of a ray at a part's heights, 1 where there is one, 1 where the ray starts on the part; and what is known of the
+ * coefficients' error. */
+typedef struct stretches { common_beam from, to, reached, own, error, b[4]; } stretches;
 
-COMMON_INLINE stretch stretch_of(double low, double high, const common_beams *restrict l, const lines *restrict n, uint32_t i)
+COMMON_INLINE void find_stretch(const common_revolved_part *p, const common_beams *restrict l, const lines *restrict n, stretches *restrict out, uint32_t i)
 {
-    const double y = l->org[1][i], s = (low - y) * n->turns[i], t = (high - y) * n->turns[i];
+    const double y = l->org[1][i], s = (p->low - y) * n->turns[i], t = (p->high - y) * n->turns[i];
     const double from = greater(lesser(s, t), n->begin[i]), to = lesser(greater(s, t), l->to[i]);
-    const stretch all = { from, to, to >= from - n->off[i] ? 1.0 : 0.0 };
 
-    return all;
+    out->from[i] = from;
+    out->to[i] = to;
+    out->reached[i] = to >= from - n->off[i] ? 1.0 : 0.0;
+    out->own[i] = n->own[i] == (double)p->feature ? 1.0 : 0.0;
+    out->error[i] = sum_of(n->off[i], 1.0 + p->size, p->loose);
 }
 
-/* Coefficients that are all on one side of zero by more than an error. */
-COMMON_INLINE double one_sided(double least, double most, double error) { return greater(least, -most) > error ? 1.0 : 0.0; }
+/* By how much all are on one side of zero. */
+COMMON_INLINE double one_sided(double least, double most) { return greater(least, -most); }
 
-/* Along the stretch at its heights the square of the distance to the axis less that of the radius is a polynomial: its Bernstein coefficients,
- * and those of both halves. Where the ray starts on the part, the first one is zero, and the signs of the others are those of
- * the factor that is left. */
-COMMON_CLONES static void add_cubic(const common_revolved_part *p, const common_beams *restrict l, const lines *restrict n, sums *restrict io)
+/* Is any below zero? */
+COMMON_INLINE bool any_below(const double *restrict at)
 {
-    const double low = p->low, high = p->high, r0 = p->square[0], r1 = p->square[1], r2 = p->square[2], r3 = p->square[3], size = 1.0 + p->size;
-    const double feature = p->feature, loose = p->loose;
+    double least[N / 2];
+    uint64_t any = 0;
+
+    for (uint32_t i = 0; i < N / 2; i++)
+        least[i] = lesser(at[i], at[i + N / 2]);
+    for (uint32_t i = 0; i < N / 2; i++)
+        any |= elementary_bits(least[i]);
+    return any >> 63;
+}
+
+/* Along the stretch at its heights the square of the distance to the axis less that of the radius is a polynomial: its Bernstein coefficients.
+ * Where the ray starts on the part, the first one is zero, and the signs of the others are those of the factor that is left. False: all rays
+ * pass, as their coefficients are on one side. */
+COMMON_CLONES static bool find_cubic(const common_revolved_part *restrict p, const common_beams *restrict l, const lines *restrict n,
+                                     stretches *restrict out)
+{
+    const double r0 = p->square[0], r1 = p->square[1], r2 = p->square[2], r3 = p->square[3];
+    common_beam clear;
 
     for (uint32_t i = 0; i < N; i++) {
         const double y = l->org[1][i], rise = l->dir[1][i], steep = rise * rise * r3, bend = sum_of(3.0 * y, r3, r2);
-        const stretch s = stretch_of(low, high, l, n, i);
-        const double from = s.from, to = s.to, third = (to - from) * (1.0 / 3.0), error = sum_of(n->off[i], size, loose);
-        const double g0 = n->c[i] - sum_of(y, sum_of(y, sum_of(y, r3, r2), r1), r0), g3 = -rise * steep;
-        const double g1 = 2.0 * n->b[i] - rise * sum_of(y, sum_of(3.0 * y, r3, 2.0 * r2), r1), g2 = n->a[i] - rise * rise * bend;
-        const double b0 = sum_of(from, sum_of(from, sum_of(from, g3, g2), g1), g0), b3 = sum_of(to, sum_of(to, sum_of(to, g3, g2), g1), g0);
-        const double b1 = sum_of(third, sum_of(from, sum_of(3.0 * from, g3, 2.0 * g2), g1), b0);
-        const double b2 = b3 - third * sum_of(to, sum_of(3.0 * to, g3, 2.0 * g2), g1);
-        const double own = n->own[i] == feature ? 1.0 : 0.0, first = own > 0.0 ? b1 : b0;
-        const double c0 = b0 + b1, m = b1 + b2, c2 = b2 + b3, c1 = 0.5 * (c0 + m), d1 = 0.5 * (m + c2), middle = c1 + d1;
-        const double all = one_sided(lesser(lesser(first, b1), lesser(b2, b3)), greater(greater(first, b1), greater(b2, b3)), error);
-        const double half = one_sided(lesser(lesser(lesser(b0, b3), lesser(c0, c2)), lesser(lesser(c1, d1), middle)),
-                                  greater(greater(greater(b0, b3), greater(c0, c2)), greater(greater(c1, d1), middle)), error);
-        const double least = lesser(first, b3), most = greater(first, b3), ends = lesser(most, -least);
-        const double turned = own > 0.0 ? -1.0 : greater(lesser(least, -middle), lesser(-most, middle));
-        const double hit = greater(ends, turned) > error ? (to > from ? s.reached : 0.0) : 0.0;
-        const double open = all + (1.0 - own) * half + hit > 0.0 ? 0.0 : s.reached;
+        double from, to, third, g0, g1, g2, g3, b0, b1, b2, b3, first;
 
-        add(io, i, hit, open, from - n->off[i], to + n->off[i]);
+        find_stretch(p, l, n, out, i);
+        from = out->from[i];
+        to = out->to[i];
+        third = (to - from) * (1.0 / 3.0);
+        g0 = n->c[i] - sum_of(y, sum_of(y, sum_of(y, r3, r2), r1), r0);
+        g1 = 2.0 * n->b[i] - rise * sum_of(y, sum_of(3.0 * y, r3, 2.0 * r2), r1);
+        g2 = n->a[i] - rise * rise * bend;
+        g3 = -rise * steep;
+        b0 = sum_of(from, sum_of(from, sum_of(from, g3, g2), g1), g0);
+        b3 = sum_of(to, sum_of(to, sum_of(to, g3, g2), g1), g0);
+        b1 = sum_of(third, sum_of(from, sum_of(3.0 * from, g3, 2.0 * g2), g1), b0);
+        b2 = b3 - third * sum_of(to, sum_of(3.0 * to, g3, 2.0 * g2), g1);
+        first = out->own[i] > 0.0 ? b1 : b0;
+        out->b[0][i] = b0;
+        out->b[1][i] = b1;
+        out->b[2][i] = b2;
+        out->b[3][i] = b3;
+        clear[i] = one_sided(lesser(lesser(first, b1), lesser(b2, b3)), greater(greater(first, b1), greater(b2, b3))) - out->error[i];
+        clear[i] = out->reached[i] > 0.0 ? clear[i] : 1.0;
     }
+    return any_below(clear);
 }
 
 /* The same of second degree. */
-COMMON_CLONES static void add_quadratic(const common_revolved_part *p, const common_beams *restrict l, const lines *restrict n, sums *restrict io)
+COMMON_CLONES static bool find_quadratic(const common_revolved_part *restrict p, const common_beams *restrict l, const lines *restrict n,
+                                         stretches *restrict out)
 {
-    const double low = p->low, high = p->high, r0 = p->square[0], r1 = p->square[1], r2 = p->square[2], size = 1.0 + p->size, feature = p->feature;
+    const double r0 = p->square[0], r1 = p->square[1], r2 = p->square[2];
+    common_beam clear;
 
     for (uint32_t i = 0; i < N; i++) {
-        const double y = l->org[1][i], rise = l->dir[1][i];
-        const stretch s = stretch_of(low, high, l, n, i);
-        const double from = s.from, to = s.to, error = n->off[i] * size;
-        const double g0 = n->c[i] - sum_of(y, sum_of(y, r2, r1), r0), g1 = 2.0 * n->b[i] - rise * sum_of(2.0 * y, r2, r1), g2 = n->a[i] - rise * rise * r2;
-        const double b0 = sum_of(from, sum_of(from, g2, g1), g0), b2 = sum_of(to, sum_of(to, g2, g1), g0);
-        const double b1 = sum_of(0.5 * (to - from), sum_of(2.0 * from, g2, g1), b0);
-        const double own = n->own[i] == feature ? 1.0 : 0.0, first = own > 0.0 ? b1 : b0, c0 = b0 + b1, c1 = b1 + b2, middle = 0.5 * (c0 + c1);
-        const double least = lesser(first, b2), most = greater(first, b2), all = one_sided(lesser(least, b1), greater(most, b1), error);
-        const double half = one_sided(lesser(lesser(c0, c1), lesser(lesser(b0, b2), middle)), greater(greater(c0, c1), greater(greater(b0, b2), middle)), error);
-        const double turned = own > 0.0 ? -1.0 : greater(lesser(least, -middle), lesser(-most, middle));
-        const double hit = greater(lesser(most, -least), turned) > error ? (to > from ? s.reached : 0.0) : 0.0;
-        const double open = all + (1.0 - own) * half + hit > 0.0 ? 0.0 : s.reached;
+        const double y = l->org[1][i], rise = l->dir[1][i], g0 = n->c[i] - sum_of(y, sum_of(y, r2, r1), r0);
+        const double g1 = 2.0 * n->b[i] - rise * sum_of(2.0 * y, r2, r1), g2 = n->a[i] - rise * rise * r2;
+        double from, to, b0, b1, b2, first;
 
-        add(io, i, hit, open, from - n->off[i], to + n->off[i]);
+        find_stretch(p, l, n, out, i);
+        from = out->from[i];
+        to = out->to[i];
+        b0 = sum_of(from, sum_of(from, g2, g1), g0);
+        b2 = sum_of(to, sum_of(to, g2, g1), g0);
+        b1 = sum_of(0.5 * (to - from), sum_of(2.0 * from, g2, g1), b0);
+        first = out->own[i] > 0.0 ? b1 : b0;
+        out->b[0][i] = b0;
+        out->b[1][i] = b1;
+        out->b[2][i] = b2;
+        clear[i] = one_sided(lesser(lesser(first, b1), b2), greater(greater(first, b1), b2)) - out->error[i];
+        clear[i] = out->reached[i] > 0.0 ? clear[i] : 1.0;
+    }
+    return any_below(clear);
+}
+
+/* What is known by coefficients that are on one side, `all` or at most twice those of both halves; by those at the ends, of which `first` may be
+ * that of what is left; and by the value in the middle, which may be beyond both. */
+COMMON_INLINE void judge(const stretches *restrict s, double all, double half, double first, double last, double middle, const lines *restrict n,
+                         sums *restrict io, uint32_t i)
+{
+    const double own = s->own[i], error = s->error[i], least = lesser(first, last), most = greater(first, last);
+    const double turned = own > 0.0 ? -1.0 : greater(lesser(least, -middle), lesser(-most, middle));
+    const double hit = greater(lesser(most, -least), turned) > error ? (s->to[i] > s->from[i] ? s->reached[i] : 0.0) : 0.0;
+    const double clear = all > error ? 1.0 : half > 2.0 * error ? 1.0 - own : 0.0;
+
+    add(io, i, hit, clear + hit > 0.0 ? 0.0 : s->reached[i], s->from[i] - n->off[i], s->to[i] + n->off[i]);
+}
+
+COMMON_CLONES static void add_cubic(const stretches *restrict s, const lines *restrict n, sums *restrict io)
+{
+    for (uint32_t i = 0; i < N; i++) {
+        const double b0 = s->b[0][i], b1 = s->b[1][i], b2 = s->b[2][i], b3 = s->b[3][i], first = s->own[i] > 0.0 ? b1 : b0;
+        const double c0 = b0 + b1, m = b1 + b2, c2 = b2 + b3, c1 = 0.5 * (c0 + m), d1 = 0.5 * (m + c2), middle = c1 + d1;
+        const double half = one_sided(lesser(lesser(lesser(b0, b3), lesser(c0, c2)), lesser(lesser(c1, d1), middle)),
+                                      greater(greater(greater(b0, b3), greater(c0, c2)), greater(greater(c1, d1), middle)));
+
+        judge(s, one_sided(lesser(lesser(first, b1), lesser(b2, b3)), greater(greater(first, b1), greater(b2, b3))), half, first, b3, 0.25 * middle, n, io, i);
+    }
+}
+
+COMMON_CLONES static void add_quadratic(const stretches *restrict s, const lines *restrict n, sums *restrict io)
+{
+    for (uint32_t i = 0; i < N; i++) {
+        const double b0 = s->b[0][i], b1 = s->b[1][i], b2 = s->b[2][i], first = s->own[i] > 0.0 ? b1 : b0;
+        const double c0 = b0 + b1, c1 = b1 + b2, middle = 0.5 * (c0 + c1);
+        const double half = one_sided(lesser(lesser(c0, c1), lesser(lesser(b0, b2), middle)), greater(greater(c0, c1), greater(greater(b0, b2), middle)));
+
+        judge(s, one_sided(lesser(lesser(first, b1), b2), greater(greater(first, b1), b2)), half, first, b2, 0.5 * middle, n, io, i);
     }
 }
 
@@ -179,12 +244,16 @@ COMMON_CLONES static void add_ring(const common_revolved_part *p, const common_b
 
 static void look_at(const common_revolved_part *p, const common_beams *l, const lines *n, sums *io)
 {
-    if (!(p->low < p->high))
+    stretches s;
+
+    if (!(p->low < p->high)) {
         add_ring(p, l, n, io);
-    else if (p->square[3] != 0.0)
-        add_cubic(p, l, n, io);
-    else
-        add_quadratic(p, l, n, io);
+    } else if (p->square[3] != 0.0) {
+        if (find_cubic(p, l, n, &s))
+            add_cubic(&s, n, io);
+    } else if (find_quadratic(p, l, n, &s)) {
+        add_quadratic(&s, n, io);
+    }
 }
 
 void common_revolved_look(const void *self, const common_beams *restrict l, common_verdicts *restrict out)
