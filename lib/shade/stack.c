@@ -27,8 +27,8 @@ bool layer_weigh(layer *out, const model *m, const appearance *a, const onward *
     if (!out->first && appearance_is_dark(m, *left))
         return false;
     out->by = colour_scale(*left, out->share);
-    out->reflection = share_of(on->reflection.by, out->share);
-    out->reflection.weight *= fminf(fabsf(colour_luminance(*left)), 1.0f);
+    out->reflection.by = colour_scale(on->reflection.by, out->share);
+    out->reflection.weight = on->reflection.weight * fminf(fabsf(colour_luminance(*left)), 1.0f);
     *left = colour_mul(*left, on->filter.by);
     out->through = share_of(colour_scale(*left, a->finish->refraction), out->share);
     out->is_dark = appearance_is_dark(m, *left);

@@ -199,6 +199,17 @@ static void layers_that_brighten_add_no_weight(void **state)
     assert_true(mirrored(".21", "rgbft <1, 1, 1, .9, .8> } } texture { pigment { rgbt 1.5") == 0.0);
 }
 
+/* As measured: what a layer can reflect at any angle counts in the weight, before metal and films dye it, as for one layer. */
+static void layers_weigh_what_they_can_reflect(void **state)
+{
+    static const char veil[] = "rgbt .5 } finish { reflection { .2, .8 }";
+    static const char film[] = "rgbt .5 } finish { reflection .4 irid { .9 thickness .35 }";
+    (void)state;
+
+    assert_true(fabs(mirrored(".79", veil) - 0.2) < 1e-6 && mirrored(".81", veil) == 0.0);
+    assert_true(mirrored(".39", film) > 0.0 && mirrored(".41", film) == 0.0);
+}
+
 static void assert_film(double bumps, const double reds[10])
 {
     char text[1024];
@@ -265,6 +276,7 @@ int main(void)
         cmocka_unit_test(total_reflection_weighs_as_much_as_what_would_go_through),
         cmocka_unit_test(the_upper_normal_bends_what_goes_through),
         cmocka_unit_test(layers_that_brighten_add_no_weight),
+        cmocka_unit_test(layers_weigh_what_they_can_reflect),
         cmocka_unit_test(mirrors_with_other_normals_stay_beside_total_reflection),
         cmocka_unit_test(films_are_as_thick_as_the_mirrored_ray_finds_them),
         cmocka_unit_test(the_upper_film_is_seen_in_total_reflection),
