@@ -36,10 +36,10 @@ void meter_cells(meter *m, const int *of, uint32_t count)
         m->spent[of[i]] += each;
 }
 
-void meter_square(meter *m, pov_rect tile, lattice l, int left, int top, int edge)
+void meter_block(meter *m, pov_rect tile, lattice l, int left, int top, int width, int height)
 {
-    int right = left + edge < tile.width ? left + edge : tile.width, count = 0;
-    int bottom = top + edge < tile.height ? top + edge : tile.height;
+    int right = left + width < tile.width ? left + width : tile.width, count = 0;
+    int bottom = top + height < tile.height ? top + height : tile.height;
     double each;
 
     if (!m)

@@ -16,7 +16,7 @@ void meter_begin(meter *m);
 /* Add the time since the last reading to these cells of the tile, in equal shares; a cell may be listed several
  * times. */
 void meter_cells(meter *m, const int *of, uint32_t count);
-/* Add it to the pixels of a lattice within a square of the tile, in equal shares. */
-void meter_square(meter *m, pov_rect tile, lattice l, int left, int top, int edge);
+/* Add it to the pixels of a lattice within a block of the tile, in equal shares. */
+void meter_block(meter *m, pov_rect tile, lattice l, int left, int top, int width, int height);
 
 #endif

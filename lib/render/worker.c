@@ -121,12 +121,12 @@ static void take_samples(worker *w, packet *c, const settings *s)
 }
 
 /* The lattice's pixels of one row of the tile, from `left` on. */
-static void take_row(packet *c, const middles *m, lattice l, int left, int right, int y, float *row)
+static void take_row(packet *c, const middles *m, lattice l, int apart, int left, int right, int y, float *row)
 {
     /* Pixels that a coarser pass has traced are left out: every other pixel of its rows, and no pixel of the rows
      * between. */
     const bool between = l.finer && !l.again && (y & l.step) == 0;
-    const int step = between ? 2 * l.step : l.step;
+    const int step = between ? 2 * l.step : apart * l.step;
     const double v = m->v[y];
     uint32_t n = c->count;
 
@@ -138,11 +138,12 @@ static void take_row(packet *c, const middles *m, lattice l, int left, int right
     c->count = n;
 }
 
-/* A block is a square of the lattice's pixels, (left, top) its corner in the tile. */
-static void trace_block(worker *w, packet *together, const settings *s, const middles *m, int left, int top, int edge)
+/* A block is a square of the lattice's pixels, (left, top) its corner in the tile; or one of two colours of a chess board of twice
+ * the width. */
+static void trace_block(worker *w, packet *together, const settings *s, const middles *m, int left, int top, int edge, int colours, int which)
 {
     const pov_rect tile = w->claim.rect;
-    const int right = left + edge < tile.width ? left + edge : tile.width;
+    const int right = left + colours * edge < tile.width ? left + colours * edge : tile.width;
     const lattice l = w->claim.lattice;
 
     const int height = tile.height - top < edge ? tile.height - top : edge;
@@ -152,9 +153,9 @@ static void trace_block(worker *w, packet *together, const settings *s, const mi
     together->count = 0;
     together->through.width = s->width;
     together->through.height = s->height;
-    together->set = w->job->scene->plan->radiosity ? random_set(s->seed, (uint32_t)l.step, s->crop.x + part.x, s->crop.y + part.y) : 0;
+    together->set = w->job->scene->plan->radiosity ? random_set(s->seed, (uint32_t)l.step, s->crop.x + part.x + which, s->crop.y + part.y) : 0;
     for (int y = top; y < top + height; y += l.step)
-        take_row(together, m, l, left, right, y, w->pixels + 4 * y * tile.width);
+        take_row(together, m, l, colours, left + ((y + which) & (colours - 1)), right, y, w->pixels + 4 * y * tile.width);
     if (s->sampling)
         take_samples(w, together, s);
     if (together->count > 0)
@@ -181,6 +182,8 @@ bool worker_trace(worker *w, const settings *s)
 {
     enum { BLOCK_EDGE = 8 };     /* squared, no more than BATCH_MAX */
     const claim *c = &w->claim;
+    /* What is alike in the pixels of a set is seen less where those of two alternate. */
+    const int colours = w->job->scene->plan->radiosity && c->lattice.step == 1 ? 2 : 1;
     int edge = BLOCK_EDGE * c->lattice.step;
     packet together;
     middles m;
@@ -192,9 +195,10 @@ bool worker_trace(worker *w, const settings *s)
         edge = TILE_EDGE_MIN;
     meter_begin(w->meter);
     for (int y = 0; y < c->rect.height; y += edge)
-        for (int x = 0; x < c->rect.width; x += edge) {
-            trace_block(w, &together, s, &m, x, y, edge);
-            meter_square(w->meter, c->rect, c->lattice, x, y, edge);
+        for (int x = 0; x < c->rect.width; x += colours * edge) {
+            for (int i = 0; i < colours; i++)
+                trace_block(w, &together, s, &m, x, y, edge, colours, i);
+            meter_block(w->meter, c->rect, c->lattice, x, y, colours * edge, edge);
             if (worker_is_given_up(w))
                 return false;
         }
