@@ -92,29 +92,29 @@ bool texture_is_of_view(const texture *of)
 }
 
 /* Does slope or aoi see a normal that may be bent? */
-static bool may_see(const texture *of, bool *bends)
+static bool asks_normals(const texture *of, bool *perturbs)
 {
     bool sees = asks(of->pattern, PATTERN_NEEDS_NORMAL);
 
     if (of->blend == BLEND_NONE) {
-        *bends |= of->normal != NULL;
+        *perturbs |= of->normal != NULL;
         return pigment_asks(of->pigment, PATTERN_NEEDS_NORMAL);
     }
     for (uint32_t i = 0; i < of->count; i++)
-        sees |= may_see(of->textures[i], bends);
+        sees |= asks_normals(of->textures[i], perturbs);
     return sees;
 }
 
 static bool sees_bent(const texture *of)
 {
-    bool bends = false;
-    const bool sees = may_see(of, &bends);
+    bool perturbs = false;
+    const bool sees = asks_normals(of, &perturbs);
 
-    return sees && bends;
+    return sees && perturbs;
 }
 
 /* The points with the normals that are seen there. */
-static void see(const terms *t, const texture_points *points, const part *p, texture_points *out)
+static void take_seen(const terms *t, const texture_points *points, const part *p, texture_points *out)
 {
     *out = *points;
     for (uint32_t i = 0; i < p->n; i++)
@@ -129,12 +129,12 @@ static void find_pigments(const terms *t, const texture *layer, const texture_po
         pigment_eval(t->model, layer->pigment, points, p->n, out);
         return;
     }
-    see(t, points, p, &seen);
+    take_seen(t, points, p, &seen);
     pigment_eval(t->model, layer->pigment, &seen, p->n, out);
 }
 
-/* Normals that a layer bends are seen from then on. */
-static void bend(terms *t, const texture *layer, const texture_points *points, const part *p, vec_lanes *normals)
+/* Normals that a layer perturbs are seen from then on. */
+static void perturb(terms *t, const texture *layer, const texture_points *points, const part *p, vec_lanes *normals)
 {
     find_normals(t->model, layer, points, p, normals);
     for (uint32_t i = 0; t->sees && i < p->n; i++)
@@ -153,7 +153,7 @@ static void add_stack(terms *t, const texture *of, const texture_points *points,
         const texture *layer = layers[count - 1 - k];
 
         if (layer->normal)
-            bend(t, layer, points, p, &normals);
+            perturb(t, layer, points, p, &normals);
         find_pigments(t, layer, points, p, pigments);
         for (uint32_t i = 0; i < p->n; i++) {
             texture_term *out = &t->items[t->count + i * count + k];
@@ -194,7 +194,7 @@ static void find_seen(const terms *t, const texture *of, const texture_points *p
         find(t->model, of, points, p->n, inner, b);
         return;
     }
-    see(t, points, p, &seen);
+    take_seen(t, points, p, &seen);
     find(t->model, of, &seen, p->n, inner, b);
     inner->normal = points->normal;
 }
