@@ -47,6 +47,14 @@ void common_outline_place(common_outline *o, const double middle[2], double scal
 /* Pieces that are tested side by side. */
 enum { SIDE = POV_BLOCK_MAX };
 
+static void find_across(const common_piece *c, double out[2])
+{
+    const pov_vec3 unit = pov_unit(pov_vec3_of(c->y[1] - c->y[0], -(c->x[1] - c->x[0]), 0.0));
+
+    out[0] = unit.x;
+    out[1] = unit.y;
+}
+
 bool common_outline_pack(common_outline *o, const pov_host *host, pov_reader *in)
 {
     o->stride = (o->count + SIDE - 1) / SIDE * SIDE;
@@ -61,7 +69,11 @@ bool common_outline_pack(common_outline *o, const pov_host *host, pov_reader *in
             o->rows[(2 * k) * o->stride + i] = c->x[k < c->degree ? k : c->degree];
             o->rows[(2 * k + 1) * o->stride + i] = c->y[k < c->degree ? k : c->degree];
         }
-    return o->rows != NULL;
+    o->across = host->alloc(in, o->count * sizeof *o->across);
+    for (uint32_t i = 0; o->across && i < o->count; i++)
+        if (o->at[i].degree == 1)
+            find_across(&o->at[i], o->across[i]);
+    return o->rows && o->across;
 }
 
 /* ---- pieces ---- */

@@ -17,6 +17,7 @@ typedef struct common_outline {
      * piece stands for those that it has not. */
     double *rows;
     uint32_t stride, points;
+    double (*across)[2];         /* of straight pieces: a unit vector across, to the right of the way */
 } common_outline;
 
 /* Where a line crosses: at its parameter s, at u of the piece. */

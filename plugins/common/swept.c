@@ -270,6 +270,9 @@ bool common_swept_reversed(const common_swept *s, pov_vec3 dir, const pov_mark *
     return ((pov_dot(across_piece(s, mark), dir) < 0.0) != enters) != (s->turned != s->conic);
 }
 
+/* Is it a plane's part? */
+static bool is_planar(const common_swept *s, uint32_t feature) { return !s->conic && s->outline.at[feature - PIECES].degree == 1; }
+
 void common_swept_normal(const common_swept *s, pov_vec3 dir, const pov_mark *mark, pov_vec3 *out)
 {
     const uint32_t feature = mark->feature - s->first;
@@ -278,7 +281,8 @@ void common_swept_normal(const common_swept *s, pov_vec3 dir, const pov_mark *ma
         *out = joined(s, 0.0, feature == LOW_CAP ? -1.0 : 1.0, 0.0);
         return;
     }
-    *out = pov_unit(across_piece(s, mark));
+    *out = is_planar(s, feature) ? joined(s, s->outline.across[feature - PIECES][0], 0.0, s->outline.across[feature - PIECES][1])
+                               : pov_unit(across_piece(s, mark));
     if (!(pov_largest(*out) > 0.0))
         *out = pov_unit(dir);
     if ((pov_dot(*out, dir) < 0.0) != (mark->v > 0.0))
