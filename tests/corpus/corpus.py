@@ -175,6 +175,8 @@ def share_off(a, b, edge, limit=OFF):
 
 # What makes noise, here or there. Other scenes match by their pixels alone.
 NOISE = re.compile(rb'\b(jitter|crand|aperture|photons|radiosity|media|subsurface)\b')
+# POV-Ray counts the time of these apart from that of tracing.
+LIGHT_APART = re.compile(rb'\b(photons|radiosity)\b')
 
 
 def is_noisy(scene):
@@ -206,6 +208,8 @@ def look_at(scene, folder, options):
     if options.read_only:
         return row
     row.update(zip(('theirs', 'their_seconds', 'their_cpu', 'their_memory', 'their_trace'), draw_theirs(scene, theirs, options)))
+    if LIGHT_APART.search(scene.read_bytes()):
+        row['their_trace'] = None
     if done.status == 0 and row['theirs'] == 0 and theirs.exists():
         a, b = png.read(ours), png.read(theirs)
         row['off'] = share_off(a, b, 1)
