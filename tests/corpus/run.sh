@@ -35,7 +35,7 @@ a_scene_reads_nothing_outside_of_its_folders() {
     for name in ../other/secret.inc ../other/secret "$PWD/../other/secret.inc" link.inc folder/secret.inc /etc/passwd \
         ./../other/secret.inc; do
         printf '#include "%s"\nsphere { 0, 1 }\n' "$name" > a.pov
-        refused a.pov 'there is no file'
+        refused a.pov 'is outside of the folders'
         printf '#fopen F "%s" read\n' "$name" > a.pov
         refused a.pov 'there is no file'
     done
