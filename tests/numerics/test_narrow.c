@@ -1,13 +1,9 @@
 /* test_narrow.c - shapes that are turned, stretched and moved, their rays in packets: what narrow() leaves out, lets light end at
  * or bounds must be what each ray finds by itself without filters, bit for bit. Rays start far away, near the shapes and on them.
  * Without arguments a short run; test_narrow RAYS for a long one. */
-#include "query/context.h"   /* before probe.h, whose name for a kind it uses for a parameter */
+#include "numerics/sides.h"
 
-#include "numerics/families.h"
-
-#include "support/check.h"
 #include "support/fake_reader.h"
-#include "support/shapes.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -18,8 +14,6 @@ enum { SHAPES = 4, RAYS_OF_A_SCENE = 1024 };
 
 static long rays = 40000;
 
-typedef struct side { world *world; query_context *context; } side;
-typedef struct kept { uint32_t count; pov_ray rays[WORLD_MANY]; hit truth[WORLD_MANY]; } kept;
 typedef struct scene {
     model model;
     side filtered, plain;
@@ -147,57 +141,12 @@ static void add_shape(scene *s, pov_reader *in, uint32_t which)
     test_add(&s->model, shape, self, t, 0, 0);
 }
 
-static void compile(side *out, const model *m, pov_accel accel)
-{
-    const world_options options = { .accel = accel, .threads = 1 };
-
-    assert_int_equal(world_create(&out->world, m, &options, NULL), POV_OK);
-    assert_int_equal(query_context_create(&out->context, out->world, NULL), POV_OK);
-}
-
-static void discard(side *s)
-{
-    query_context_destroy(s->context);
-    world_destroy(s->world);
-}
-
-static pov_ray new_ray(const scene *s)
-{
-    static const double far[] = { 0.3, 3.0, 10.0, 1e3, 1e6, 1e9 };
-    const pov_vec3 target = anywhere(s->size), dir = families_direction();
-    pov_ray ray;
-
-    memset(&ray, 0, sizeof ray);
-    ray.org = pov_sub(target, pov_scale(dir, s->size * far[(uint32_t)(6.0 * U())]));
-    ray.dir = pov_scale(dir, U() < 0.5 ? 1.0 : 1e-3);
-    ray.origin_surface = POV_NO_OWNER;
-    return ray;
-}
-
 static void compare(const scene *s, const kept *of, uint32_t first, uint32_t n, tally *out)
 {
     const double most = of->truth[first].object == POV_NO_OWNER ? HUGE_VAL : of->truth[first].crossing.t * (1.0 + U());
-    const pov_ray *some[WORLD_MANY];
     hit hits[WORLD_MANY];
-    occlusion found;
-    uint64_t met, clear;
 
-    for (uint32_t i = 0; i < n; i++)
-        some[i] = &of->rays[first + i];
-    met = query_nearest(s->filtered.world, s->filtered.context, some, n, HUGE_VAL, hits);
-    clear = query_occlusion(s->filtered.world, s->filtered.context, some, n, most, &found);
-    for (uint32_t i = 0; i < n; i++) {
-        const hit *truth = &of->truth[first + i];
-        uint32_t owners[TEST_CROSSINGS], count;
-
-        assert_int_equal(met >> i & 1, truth->object != POV_NO_OWNER);
-        if (met >> i & 1) {
-            assert_int_equal(hits[i].object, truth->object);
-            assert_true(hits[i].crossing.t == truth->crossing.t && hits[i].crossing.t_lo == truth->crossing.t_lo);
-        }
-        assert_int_equal(clear >> i & 1, test_light(s->plain.world, s->plain.context, some[i], most, owners, &count));
-        out->dark += !(clear >> i & 1);
-    }
+    out->dark += side_compare(&s->filtered, &s->plain, of, first, n, most, hits);
 }
 
 /* Ask a ray by itself, and with others of its octant as soon as these make a packet. */
@@ -206,14 +155,11 @@ static bool ask(scene *s, const pov_ray *ray, hit *h, tally *out)
     const bool met = test_nearest(s->plain.world, s->plain.context, ray, HUGE_VAL, h);
     kept *of = &s->of[bvh_octant(ray)];
 
-    of->rays[of->count] = *ray;
-    of->truth[of->count++] = *h;
     out->rays++;
     out->hits += met;
-    if (of->count == WORLD_MANY) {
+    if (side_keep(of, ray, h, met)) {
         compare(s, of, 0, WORLD_MANY, out);
         compare(s, of, 30, 11, out);
-        of->count = 0;
     }
     return met;
 }
@@ -221,7 +167,8 @@ static bool ask(scene *s, const pov_ray *ray, hit *h, tally *out)
 static void ask_all(scene *s, tally *out)
 {
     for (int i = 0; i < RAYS_OF_A_SCENE; i++) {
-        pov_ray ray = new_ray(s);
+        const pov_vec3 target = anywhere(s->size);
+        pov_ray ray = side_ray(target, families_direction(), s->size);
         hit h;
 
         for (int turn = 0; turn < 4 && ask(s, &ray, &h, out); turn++) {
@@ -250,11 +197,11 @@ static void ask_kind(uint32_t which)
         s.size = sizes[round % 3];
         for (int i = 0; i < SHAPES; i++)
             add_shape(&s, in, which);
-        compile(&s.filtered, &s.model, POV_ACCEL_TREE);
-        compile(&s.plain, &s.model, POV_ACCEL_NONE);
+        side_compile(&s.filtered, &s.model, POV_ACCEL_TREE, false);
+        side_compile(&s.plain, &s.model, POV_ACCEL_NONE, false);
         ask_all(&s, &all);
-        discard(&s.filtered);
-        discard(&s.plain);
+        side_discard(&s.filtered);
+        side_discard(&s.plain);
         model_free(&s.model);
         fake_reader_destroy(in);
     }
