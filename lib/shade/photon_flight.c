@@ -2,6 +2,7 @@
 
 #include "base/vec.h"
 #include "media/march.h"
+#include "plug/shape_class.h"
 #include "shade/interior_walk.h"
 #include "shade/scatter.h"
 
@@ -22,12 +23,21 @@ static const light *light_of(const flight *f)
     return &f->tracer->context.scene->model->lights.items[f->chunk->aim->light_number];
 }
 
+/* What lies close to a solid is not lit by what arrives at the solid's surface from within. */
+static uint32_t held_by(const flight *f, const surface *s)
+{
+    const shading *scene = f->tracer->context.scene;
+    const bool within = !s->at->outside && model_leaf(scene->model, s->at->object)->shape->flags & POV_SHAPE_SOLID;
+
+    return within ? shading_solid(scene, s->at->object) : PHOTON_FREE;
+}
+
 static void deposit(flight *f, const surface *s, pov_vec3 normal)
 {
     const pov_vec3 dir = pov_unit(s->ray->dir);
     const float by = (float)emission_factor(light_of(f), s->from->travelled);
     const photon p = { s->at->point, colour_scale(s->from->factor.by, by),
-                       { (float)dir.x, (float)dir.y, (float)dir.z }, { (float)normal.x, (float)normal.y, (float)normal.z } };
+                       { (float)dir.x, (float)dir.y, (float)dir.z }, { (float)normal.x, (float)normal.y, (float)normal.z }, held_by(f, s) };
 
     if (!colour_is_black(p.flux) && !VEC_PUSH(f->scene->env, &f->out->of[PHOTON_ON], p))
         f->tracer->context.failed = true;
@@ -42,7 +52,7 @@ static void leave_at(flight *f, const path *p, const media_set *set, const media
     const float by = (float)(part * emission_factor(light_of(f), p->travelled + at));
     const colour left = media_transmittance(f->tracer->context.scene->model, set, &before);
     const photon one = { pov_add(on->from, pov_scale(on->dir, at)), colour_scale(colour_mul(p->factor.by, left), by),
-                         { (float)on->dir.x, (float)on->dir.y, (float)on->dir.z }, { 0.0f, 0.0f, 0.0f } };
+                         { (float)on->dir.x, (float)on->dir.y, (float)on->dir.z }, { 0.0f, 0.0f, 0.0f }, PHOTON_FREE };
 
     if (!colour_is_black(one.flux) && !VEC_PUSH(f->scene->env, &f->out->of[PHOTON_IN], one))
         f->tracer->context.failed = true;

@@ -1,5 +1,7 @@
 #include "shade/photon_light.h"
 
+static bool lights(const photon *p, uint32_t solid) { return p->within == PHOTON_FREE || p->within == solid; }
+
 /* The photons that light a surface: where the camera sees it straight, those of a cell of the pixel. */
 static void find(const photon_map *map, const photon_view *view, const surfaces *on, uint32_t i, photon_visit *visit, void *user)
 {
@@ -16,7 +18,7 @@ static void find(const photon_map *map, const photon_view *view, const surfaces 
 /* ---- surfaces without highlights ---- */
 
 /* Their light from all directions is the same. */
-typedef struct plain_sum { pov_vec3 normal; colour sum; } plain_sum;
+typedef struct plain_sum { uint32_t solid; pov_vec3 normal; colour sum; } plain_sum;
 
 static inline double facing(const photon *p, pov_vec3 normal)
 {
@@ -27,17 +29,17 @@ static void add_plain(void *user, const photon *p, float density)
 {
     plain_sum *s = user;
 
-    if (facing(p, s->normal) > 0.0)
+    if (lights(p, s->solid) && facing(p, s->normal) > 0.0)
         s->sum = colour_add(s->sum, colour_scale(p->flux, density));
 }
 
 static bool is_plain(const appearance *a) { return a->kinds == 0 && a->phong == 0.0f; }
 
-static colour light_plain(const photon_map *map, const photon_view *view, const surfaces *on, uint32_t i)
+static colour light_plain(const photon_map *map, const photon_view *view, const surfaces *on, uint32_t i, uint32_t solid)
 {
     const geometry *g = &on->geometry;
     const appearance *a = on->at[i].appearance;
-    plain_sum s = { lanes_at(g->shading, i), { 0.0f, 0.0f, 0.0f } };
+    plain_sum s = { solid, lanes_at(g->shading, i), { 0.0f, 0.0f, 0.0f } };
 
     find(map, view, on, i, add_plain, &s);
     return colour_scale(colour_mul(s.sum, a->pigment), a->diffuse_weight);
@@ -93,14 +95,17 @@ static void light_lanes_once(photon_lanes *l, const model *m)
     l->count = 0;
 }
 
-typedef struct lanes_of { photon_lanes *lanes; const model *model; } lanes_of;
+typedef struct lanes_of { photon_lanes *lanes; const model *model; uint32_t solid; } lanes_of;
 
 static void add_lane(void *user, const photon *p, float density)
 {
     lanes_of *of = user;
     photon_lanes *l = of->lanes;
-    const uint32_t i = l->count++;
+    const uint32_t i = l->count;
 
+    if (!lights(p, of->solid))
+        return;
+    l->count++;
     lanes_put(&l->in.dir, i, pov_vec3_of(-(double)p->dir[0], -(double)p->dir[1], -(double)p->dir[2]));
     l->in.red[i] = p->flux.r * density;
     l->in.green[i] = p->flux.g * density;
@@ -109,9 +114,10 @@ static void add_lane(void *user, const photon *p, float density)
         light_lanes_once(l, of->model);
 }
 
-static colour light_rich(photon_lanes *l, const model *m, const photon_map *map, const photon_view *view, const surfaces *on, uint32_t i)
+static colour light_rich(photon_lanes *l, const model *m, const photon_map *map, const photon_view *view, const surfaces *on, uint32_t i,
+                         uint32_t solid)
 {
-    lanes_of of = { l, m };
+    lanes_of of = { l, m, solid };
 
     repeat(l, m, on, i);
     find(map, view, on, i, add_lane, &of);
@@ -129,11 +135,12 @@ void photon_light_add(photon_work *w, const shade_context *c, const finishes *li
         surface *s = &on->at[i];
         const photon_map *map = &w->maps[s->from->lane]->of[PHOTON_ON];
         const photon_view *view = &w->views[s->from->lane];
+        const uint32_t solid = shading_solid(c->scene, s->at->object);
         colour given;
 
         if (map->node_count == 0 || (model_leaf(m, s->at->object)->flags & PHOTON_IGNORES))
             continue;
-        given = is_plain(s->appearance) ? light_plain(map, view, on, i) : light_rich(&w->lanes, m, map, view, on, i);
+        given = is_plain(s->appearance) ? light_plain(map, view, on, i, solid) : light_rich(&w->lanes, m, map, view, on, i, solid);
         s->lit = colour_add(s->lit, given);
     }
 }

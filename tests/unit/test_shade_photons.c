@@ -228,6 +228,17 @@ static void without_the_setting_media_behind_a_target_are_dark(void **state)
     assert_true(middle(BOX("media 0", "scattering { 1, .1 }") BESIDE "light_source { <0,0,-8> rgb .5 parallel point_at 0 }", 1) == 0.0);
 }
 
+/* What arrives at the inside of glass does not light what lies close to the glass. */
+static void photons_within_a_solid_light_it_alone(void **state)
+{
+    (void)state;
+    assert_middle("#version 3.7; global_settings { assumed_gamma 1 photons { } }"
+                  "box { <-1.5,-1.5,-1>, <1.5,1.5,1.9998> pigment { rgbt 1 } finish { ambient 0 diffuse .5 } photons { target refraction on } }"
+                  "box { <-9,-9,2>, <9,9,3> pigment { rgb 1 } finish { ambient 0 diffuse .8 } }"
+                  "camera { orthographic location <0,0,1.9999> direction z right x*4 up y*3 }"
+                  "light_source { <0,0,-8> rgb .5 parallel point_at 0 }", 0.4, 0.01);
+}
+
 static void assert_alike(const char *a, const char *b)
 {
     float *one = scenes_draw(a, WIDTH, HEIGHT, 1, 0), *other = scenes_draw(b, WIDTH, HEIGHT, 1, 0);
@@ -404,6 +415,7 @@ int main(void)
         cmocka_unit_test(photons_that_cannot_leave_the_target_leave_it_dark),
         cmocka_unit_test(media_dim_photons),
         cmocka_unit_test(photons_light_media),
+        cmocka_unit_test(photons_within_a_solid_light_it_alone),
         cmocka_unit_test(without_the_setting_media_behind_a_target_are_dark),
         cmocka_unit_test(the_number_of_threads_changes_no_bit),
         cmocka_unit_test(each_seed_has_photons_of_its_own_and_the_error_tells_it),
