@@ -2,7 +2,6 @@
 
 #include "base/vec.h"
 #include "media/march.h"
-#include "plug/shape_class.h"
 #include "shade/interior_walk.h"
 #include "shade/scatter.h"
 
@@ -27,7 +26,7 @@ static const light *light_of(const flight *f)
 static uint32_t held_by(const flight *f, const surface *s)
 {
     const shading *scene = f->tracer->context.scene;
-    const bool within = !s->at->outside && model_leaf(scene->model, s->at->object)->shape->flags & POV_SHAPE_SOLID;
+    const bool within = !s->at->outside && plan_is_solid(model_leaf(scene->model, s->at->object));
 
     return within ? shading_solid(scene, s->at->object) : PHOTON_FREE;
 }
