@@ -46,8 +46,10 @@ static void add_arc(ovus *o, double low, double high)
     common_revolved_curve(p, low, high, square, UINT32_MAX);
     for (int i = 1; i < SAMPLES; i++) {
         const double y = low + (high - low) * i / SAMPLES, about = p->square[0] + y * (p->square[1] + y * (p->square[2] + y * p->square[3]));
+        const double off = fabs(about - square_of_arc(o, y, &unused));
 
-        most = fmax(most, fabs(about - square_of_arc(o, y, &unused)));
+        if (off > most)
+            most = off;
     }
     p->loose = 2.0 * most;
 }
