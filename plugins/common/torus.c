@@ -93,7 +93,7 @@ bool common_torus_report(const stretch *s, pov_two t, bool rising, bool escalate
         t = sharpen(s, t);
     if (s->torus->lens.hi > 0.0 && is_in_lens(s->torus, common_along_dd(&s->ray, t)))
         return true;
-    if (s->torus->lens.hi > 0.0)
+    if (s->torus->lens.hi >= 0.0)
         t = refine_outer(s, t);
     at = t.hi * s->ray.unit;
     return pov_cross(hits, at, t.lo * s->ray.unit, mark) && !(hits->want == POV_WANT_NEAREST && at > hits->tmin && hits->count > 0);
@@ -187,8 +187,9 @@ static bool isolate(search *r)
 
 /* ---- the poles of a spindle ----
  *
- * Its two sheets meet in two points of the axis. So near to one that the roots of both sheets pass for one that touches zero,
- * sides tell whether the outer sheet was crossed. */
+ * Its two sheets meet in two points of the axis, and where the radii are equal the torus touches itself in its middle. So near to
+ * one that the roots of both sheets pass for one that touches zero, sides tell where the outer sheet is crossed: around what is
+ * outside there it is a convex cone, so once at most on either side of the place that is farthest outside. */
 
 static bool is_inside_at(const stretch *s, double x)
 {
@@ -197,12 +198,12 @@ static bool is_inside_at(const stretch *s, double x)
     return is_in_lens(s->torus, p) || value_at(s->torus, p).hi <= 0.0;
 }
 
-/* The change of sides between lo and hi, to the last bit. */
+/* The change of sides between lo and hi, to the last bit: outside, so that it is not taken for one of the inner sheet. */
 static double find_change(const stretch *s, double lo, double hi, bool before)
 {
     for (double middle = 0.5 * (lo + hi); middle > lo && middle < hi; middle = 0.5 * (lo + hi))
         *(is_inside_at(s, middle) == before ? &lo : &hi) = middle;
-    return hi;
+    return before ? hi : lo;
 }
 
 /* The root of the outer sheet at x. In y, where the ray starts on the torus. */
@@ -220,21 +221,24 @@ static void put_root(search *r, double x, bool rising)
     r->roots.count++;
 }
 
-/* Is the number of crossings of the outer sheet between lo and hi odd? */
-static bool is_crossed(const search *r, double lo, double hi)
+/* Forget the roots between lo and hi. */
+static void drop_between(search *r, double lo, double hi)
 {
-    bool odd = false;
+    uint32_t kept = 0;
 
     for (uint32_t i = 0; i < r->roots.count; i++) {
         const common_bracket at = common_torus_bracket(r, i);
+        bool is_between = at.lo <= hi && at.hi >= lo;
 
-        if (at.lo <= hi && at.hi >= lo) {
-            const pov_two x = common_torus_complete(&r->s, common_torus_start(r, i), &at);
+        if (is_between) {
+            const double x = common_torus_complete(&r->s, common_torus_start(r, i), &at).hi;
 
-            odd ^= x.hi >= lo && x.hi <= hi && !is_in_lens(r->s.torus, common_along_dd(&r->s.ray, distance_at(&r->s, x)));
+            is_between = x >= lo && x <= hi;
         }
+        if (!is_between)
+            r->roots.at[kept++] = r->roots.at[i];
     }
-    return odd;
+    r->roots.count = kept;
 }
 
 /* Near a pole the outer sheet is a cone, and the ray is farthest outside of it where p.p grows by as much as 2 R rho. */
@@ -252,7 +256,7 @@ static void cross_between(search *r, double lo, double hi)
 {
     const bool before = is_inside_at(&r->s, lo);
 
-    if ((is_inside_at(&r->s, hi) != before) != is_crossed(r, lo, hi))
+    if (is_inside_at(&r->s, hi) != before)
         put_root(r, find_change(&r->s, lo, hi, before), before);
 }
 
@@ -267,6 +271,7 @@ static void cross_pole(search *r, double height)
     if (!(pov_dot(off, off) < near_pole * near_pole) || (r->from_here && !(x - r->start.hi > 4.0 * window)))
         return;
     outmost = find_outmost(s, x);
+    drop_between(r, x - 2.0 * window, x + 2.0 * window);
     cross_between(r, x - 2.0 * window, outmost);
     cross_between(r, outmost, x + 2.0 * window);
 }
@@ -291,10 +296,10 @@ void common_torus_begin(search *r, bool from_here, pov_hits *hits)
     if (!r->escalated)
         return;
     isolate_two(r);
-    if (r->s.torus->lens.hi > 0.0) {
+    if (r->s.torus->lens.hi >= 0.0)
         cross_pole(r, sqrt(r->s.torus->lens.hi));
+    if (r->s.torus->lens.hi > 0.0)
         cross_pole(r, -sqrt(r->s.torus->lens.hi));
-    }
 }
 
 /* The bracket of a root in x. Ahead of the start the divided-out factor is positive, so the quartic rises where the cubic
