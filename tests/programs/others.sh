@@ -79,7 +79,7 @@ END
 fi
 if have polymake; then
     printf 'use application "polytope";\n%s\n' \
-        'povray(dodecahedron()->VISUAL(FacetColor => "255 100 50", FacetTransparency => .4), File => "polymake_solid");' > solid.pl
+        'povray(cube(3)->VISUAL(FacetColor => "255 100 50", FacetTransparency => .4), File => "polymake_solid");' > solid.pl
     polymake --script solid.pl < /dev/null > /dev/null 2>&1
     scene=$(sed -n 's/^#include "\(.*polymake-scene.pov\)"/\1/p' polymake_solid.pov)
     cp "$scene" polymake-scene.inc
