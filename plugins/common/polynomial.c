@@ -365,6 +365,22 @@ void common_polynomial_intersect_between(const void *self, const pov_ray *ray, p
 /* A number, and its slope. */
 typedef struct sloped { double value, x, y, z; } sloped;
 
+/* Horner's step in y, and in x. */
+COMMON_INLINE void take_row(sloped *y, sloped z, double at)
+{
+    y->y = y->y * at + y->value;
+    y->value = y->value * at + z.value;
+    y->z = y->z * at + z.z;
+}
+
+COMMON_INLINE void take_plane(sloped *s, sloped y, double at)
+{
+    s->x = s->x * at + s->value;
+    s->value = s->value * at + y.value;
+    s->y = s->y * at + y.y;
+    s->z = s->z * at + y.z;
+}
+
 /* The coefficient of x^i y^j: a sum of powers of z. */
 static sloped row_at(const common_polynomial *p, uint32_t row, double z)
 {
@@ -395,14 +411,9 @@ static double sparse_at(const common_polynomial *p, pov_vec3 at, pov_vec3 *out)
         for (int j = p->highest[i]; j >= 0; j--) {
             const sloped z = row_at(p, row - (uint32_t)j, at.z);
 
-            y.y = y.y * at.y + y.value;
-            y.value = y.value * at.y + z.value;
-            y.z = y.z * at.y + z.z;
+            take_row(&y, z, at.y);
         }
-        s.x = s.x * at.x + s.value;
-        s.value = s.value * at.x + y.value;
-        s.y = s.y * at.x + y.y;
-        s.z = s.z * at.x + y.z;
+        take_plane(&s, y, at.x);
     }
     *out = pov_vec3_of(s.x, s.y, s.z);
     return s.value;
@@ -423,14 +434,9 @@ COMMON_INLINE double dense_at(const double *c, int n, pov_vec3 at, pov_vec3 *out
                 z.z = z.z * at.z + z.value;
                 z.value = z.value * at.z + *c++;
             }
-            y.y = y.y * at.y + y.value;
-            y.value = y.value * at.y + z.value;
-            y.z = y.z * at.y + z.z;
+            take_row(&y, z, at.y);
         }
-        s.x = s.x * at.x + s.value;
-        s.value = s.value * at.x + y.value;
-        s.y = s.y * at.x + y.y;
-        s.z = s.z * at.x + y.z;
+        take_plane(&s, y, at.x);
     }
     *out = pov_vec3_of(s.x, s.y, s.z);
     return s.value;
