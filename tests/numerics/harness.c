@@ -432,7 +432,7 @@ static bool make_instances(harness *h, const probe *p, int slot)
     for (i = 0; i < h->count; i++) {
         contender *c = &h->contenders[i];
 
-        c->parsed[slot] = probe_make(p, c->shape[p->kind], h->in, instance(h, c, slot));
+        c->parsed[slot] = c->shape[p->kind] && probe_make(p, c->shape[p->kind], h->in, instance(h, c, slot));
         c->score->rejected += !c->parsed[slot];
     }
     return h->contenders[0].parsed[slot];
