@@ -3,6 +3,7 @@
 #include "sdl/calc.h"
 #include "sdl/expression.h"
 #include "sdl/include.h"
+#include "sdl/lex.h"
 #include "sdl/number.h"
 #include "sdl/report.h"
 #include "sdl/text.h"
@@ -296,7 +297,7 @@ static void read_chr(pov_reader *in, const intrinsic *row, value *out)
     if (!in->failed && (code < 0 || code > LAST_CHARACTER))
         report_fail(in, &in->value, POV_E_SYNTAX, "a character has a number from 0 to %d", LAST_CHARACTER);
     else
-        give(in, out, text_copy(in, buffer, code == 0 ? 0 : text_put_character(buffer, (unsigned)code)));
+        give(in, out, text_copy(in, buffer, code == 0 ? 0 : lex_put_character(buffer, (unsigned)code)));
 }
 
 /* The byte at which a character starts. */

@@ -281,7 +281,7 @@ void lex_next(symbols *words, source *s, token *t)
 
 /* ---- what stands between quotes ---- */
 
-static size_t put_utf8(char *out, unsigned code)
+size_t lex_put_character(char out[3], unsigned code)
 {
     if (code < 0x80) {
         out[0] = (char)code;
@@ -332,7 +332,7 @@ size_t lex_unescape(const place *string, char *out, const char **bad)
             out[n++] = values[name - names];
             at += 2;
         } else if (at + 1 < end && at[1] == 'u' && read_hex(at + 2, end, &code)) {
-            n += put_utf8(out + n, code);
+            n += lex_put_character(out + n, code);
             at += 6;
         } else {
             *bad = at;

@@ -10,5 +10,7 @@ void lex_next(symbols *words, source *s, token *out);
 /* The bytes between the quotes of a string token: as written, and with escapes resolved into `out`, which has
  * room for the token's length. *bad: an escape that there is none of, or NULL. Returns the length. */
 size_t lex_unescape(const place *string, char *out, const char **bad);
+/* A character below 0x10000 as UTF-8; returns its bytes. */
+size_t lex_put_character(char out[3], unsigned code);
 
 #endif

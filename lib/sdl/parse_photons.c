@@ -55,15 +55,10 @@ static void read_media(pov_reader *in, void *self, keyword_id keyword)
         value_number(in);
 }
 
-/* Photon maps are made anew for each picture. */
 static void skip_file(pov_reader *in, void *self, keyword_id keyword)
 {
-    const place at = in->last;
-    value v = expression_read(in);
-
     (void)self;
-    value_drop(&in->heap, &v);
-    report_warn(in, &at, "\"%s\" of photons is not needed: none are kept in files", token_keyword_name(keyword));
+    unsupported_skip_file(in, keyword, "photons");
 }
 
 void parse_photon_settings(pov_reader *in, void *self, keyword_id keyword)

@@ -2,6 +2,7 @@
 
 #include "sdl/expression.h"
 #include "sdl/report.h"
+#include "sdl/unsupported.h"
 #include "sdl/value.h"
 
 /* Directions from a surface that the camera sees: as many as POV-Ray has rays, or a
@@ -101,15 +102,10 @@ static void skip_switch(pov_reader *in, void *self, keyword_id keyword)
     value_optional(in, 1.0);
 }
 
-/* Nothing is kept from one picture to another. */
 static void skip_file(pov_reader *in, void *self, keyword_id keyword)
 {
-    const place at = in->last;
-    value v = expression_read(in);
-
     (void)self;
-    value_drop(&in->heap, &v);
-    report_warn(in, &at, "\"%s\" of radiosity is not needed: nothing is kept in files", token_keyword_name(keyword));
+    unsupported_skip_file(in, keyword, "radiosity");
 }
 
 void parse_radiosity(pov_reader *in, void *self, keyword_id keyword)

@@ -1,5 +1,6 @@
 #include "sdl/text.h"
 
+#include "sdl/lex.h"
 #include "sdl/report.h"
 
 #include <povtrace/exact.h>
@@ -69,23 +70,6 @@ unsigned text_character(const char *at, int *bytes)
     return (unsigned)(c[0] & 0x07) << 18 | (unsigned)(c[1] & 0x3F) << 12 | (unsigned)(c[2] & 0x3F) << 6 | (c[3] & 0x3F);
 }
 
-size_t text_put_character(char out[4], unsigned code)
-{
-    if (code < 0x80) {
-        out[0] = (char)code;
-        return 1;
-    }
-    if (code < 0x800) {
-        out[0] = (char)(0xC0 | code >> 6);
-        out[1] = (char)(0x80 | (code & 0x3F));
-        return 2;
-    }
-    out[0] = (char)(0xE0 | code >> 12);
-    out[1] = (char)(0x80 | (code >> 6 & 0x3F));
-    out[2] = (char)(0x80 | (code & 0x3F));
-    return 3;
-}
-
 size_t text_characters(const string *s)
 {
     size_t i = 0, n = 0;
@@ -129,7 +113,7 @@ static string *from_latin1(pov_reader *in, const char *text, size_t length)
     size_t i, n = 0;
 
     for (i = 0; s && i < length; i++)
-        n += text_put_character(s->text + n, (unsigned char)text[i]);
+        n += lex_put_character(s->text + n, (unsigned char)text[i]);
     if (s)
         s->length = n;
     return s;

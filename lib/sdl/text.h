@@ -16,7 +16,6 @@ int text_compare(const string *a, const string *b);
 size_t text_characters(const string *s);
 /* The character at a byte, and the bytes that it takes. */
 unsigned text_character(const char *at, int *bytes);
-size_t text_put_character(char out[4], unsigned code);
 /* A number after the C locale, as printf has it. */
 int text_number(char *out, size_t size, double number, int width, int digits);
 /* As printf has it with %g. */

@@ -129,3 +129,12 @@ void unsupported_item(pov_reader *in)
     unsupported_note(in, &in->token.at, in->token.symbol->id, what);
     unsupported_skip_item(in);
 }
+
+void unsupported_skip_file(pov_reader *in, keyword_id keyword, const char *of)
+{
+    const place at = in->last;
+    value v = expression_read(in);
+
+    value_drop(&in->heap, &v);
+    report_warn(in, &at, "\"%s\" of %s is not needed: nothing is kept in files", token_keyword_name(keyword), of);
+}

@@ -16,5 +16,7 @@ void unsupported_skip_item(pov_reader *in);
 void unsupported_skip_block(pov_reader *in);
 /* The same from within a block, up to its '}', which is next then. */
 void unsupported_skip_rest(pov_reader *in);
+/* The word was taken: the name of a file in which POV-Ray keeps what is made anew for each picture here. A note says so. */
+void unsupported_skip_file(pov_reader *in, keyword_id keyword, const char *of);
 
 #endif
