@@ -227,38 +227,52 @@ static void find_values(const media_march *l, const light *from, const places *p
 
 /* ---- light from elsewhere ---- */
 
-/* The depth at a place of the segment. */
-static double depth_at(const media_table *t, int channel, double at)
+/* The last of the strata that begins at or before a place of the segment. */
+static uint32_t stratum_at(const media_strata *s, double at)
 {
-    const double *edge = t->strata.edge, *depth = t->depth[channel];
-    uint32_t lo = 0, hi = t->strata.count;
+    uint32_t lo = 0, hi = s->count;
 
     while (hi - lo > 1) {
         const uint32_t middle = (lo + hi) / 2;
 
-        if (edge[middle] <= at)
+        if (s->edge[middle] <= at)
             lo = middle;
         else
             hi = middle;
     }
-    return edge[hi] > edge[lo] ? depth[lo] + (at - edge[lo]) / (edge[hi] - edge[lo]) * (depth[hi] - depth[lo]) : depth[lo];
+    return lo;
+}
+
+static void find_depths_at(const media_table *t, const media_light *in, double depth[3][LANES_MAX])
+{
+    for (uint32_t i = 0; i < in->count; i++) {
+        const uint32_t k = stratum_at(&t->strata, in->at[i]);
+        const double *edge = t->strata.edge + k, width = edge[1] - edge[0];
+        const double share = width > 0.0 ? (in->at[i] - edge[0]) / width : 0.0;
+
+        for (int c = 0; c < 3; c++)
+            depth[c][i] = t->depth[c][k] + share * (t->depth[c][k + 1] - t->depth[c][k]);
+    }
 }
 
 colour media_scattered(const media_march *l, const media_light *in)
 {
-    double sum[3] = { 0.0, 0.0, 0.0 };
+    double sum[3] = { 0.0, 0.0, 0.0 }, depth[3][LANES_MAX], left[3][LANES_MAX];
     media_optics o;
 
     if (l->set->varies)
         media_set_at(l->model, l->set, &l->on, in->at, in->count, NULL, &o);
     else
         repeat(l->table.scatter, in->count, o.scatter);
+    find_depths_at(&l->table, in, depth);
+    for (int c = 0; c < 3; c++)
+        leave(depth[c], o.scatter[c], in->count, left[c]);
     for (uint32_t i = 0; i < in->count; i++) {
         const double phase = mean_phase(l->set, pov_dot(in->from[i], l->on.dir));
-        const float by[3] = { in->light[i].r, in->light[i].g, in->light[i].b };
 
-        for (int c = 0; c < 3; c++)
-            sum[c] += (double)by[c] * phase * o.scatter[c][i] * elementary_exp(-depth_at(&l->table, c, in->at[i]));
+        sum[0] += (double)in->light[i].r * phase * left[0][i];
+        sum[1] += (double)in->light[i].g * phase * left[1][i];
+        sum[2] += (double)in->light[i].b * phase * left[2][i];
     }
     return colour_of((float)sum[0], (float)sum[1], (float)sum[2]);
 }
