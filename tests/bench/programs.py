@@ -82,8 +82,9 @@ class Povtrace(Program):
     name, ending = 'povtrace', 'pfm'
 
     def draw(self, job, picture=None, options=()):
-        return figures(run([self.path, job.povray, job.width, job.height, picture or '/dev/null', '--format', 'pfm',
-                            '--threads', 1, '--stats', '--progress', 'none', *options]))
+        found = figures(run([self.path, job.povray, job.width, job.height, picture or '/dev/null', '--format', 'pfm',
+                             '--threads', 1, '--stats', '--progress', 'none', *options]))
+        return dict(found, trace=found['trace_cpu'])
 
 
 class PovRay(Program):

@@ -6,7 +6,7 @@ reports_of_stats_are_a_name_a_value_and_a_unit_a_line() {
     if grep -vE '^[a-z_]+: [^ ]+( [A-Za-z_]+)?$' out; then
         fail "these lines are not of the form"
     fi
-    for name in parse build trace write; do
+    for name in parse build trace trace_cpu write; do
         grep -qE "^$name: [0-9]+\.[0-9]+ s\$" out || fail "no $name"
     done
     for name in rays_camera rays_shadow rays_reflected rays_transmitted rays_total culled_light_behind \

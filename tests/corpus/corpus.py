@@ -200,9 +200,9 @@ def look_at(scene, folder, options):
     ours, theirs = options.work / 'povc' / f'{name}.png', options.work / 'povray' / f'{name}.png'
     done = draw_ours(scene, ours, options)
     missing, error = missing_of(done.said)
-    trace = re.search(r'^trace: ([0-9.]+) s', done.said, re.M)
+    trace = re.search(r'^trace_cpu: ([0-9.]+) s', done.said, re.M)
     row = {'scene': str(scene.relative_to(folder)), 'name': name, 'status': done.status, 'seconds': done.wall, 'cpu': done.cpu,
-           'memory': done.memory, 'trace': float(trace.group(1)) / done.wall * done.cpu if trace else None, 'missing': missing,
+           'memory': done.memory, 'trace': float(trace.group(1)) if trace else None, 'missing': missing,
            'error': error if done.status != 0 else '', 'matches': False, 'off': None, 'theirs': None, 'their_seconds': None,
            'their_cpu': None, 'their_memory': None, 'their_trace': None}
     if options.read_only:
