@@ -25,4 +25,14 @@ uint32_t common_bernstein_roots(const double *b, int degree, double noise, doubl
 /* The same up to the first root beyond a place; others may follow it. It need not be known if it is certainly before `within`. */
 uint32_t common_bernstein_first(const double *b, int degree, double noise, double beyond, double within, double *root);
 
+/* The same of eight side by side, of the degree 3, 4 or 6: coefficients by number and lane. */
+enum { COMMON_BERNSTEINS = 8, COMMON_BERNSTEINS_DEGREE = 6 };
+typedef double common_by_bernstein[COMMON_BERNSTEINS];
+typedef struct common_bernsteins { common_by_bernstein b[COMMON_BERNSTEINS_DEGREE + 1], noise, beyond, within; } common_bernsteins;
+
+/* By lane: above 0 where the first root is beyond that place, and that root; where others may follow. Where neither found nor open is above
+ * 0 there is none; an open one is to be asked alone. */
+typedef struct common_first_of_bernsteins { common_by_bernstein found, more, open, root; } common_first_of_bernsteins;
+void common_bernstein_first_many(const common_bernsteins *of, int degree, common_first_of_bernsteins *out);
+
 #endif

@@ -2,11 +2,7 @@
 
 #include "common/lanes.h"
 
-enum { TOGETHER = 4 };
-typedef double four[TOGETHER];
-
-/* By lane: an entry. A ray that misses the box has a span that ends before it begins. */
-typedef struct entry_lanes { four f[6], d[3], d_lo[3], unit, per_unit, lo, hi; } entry_lanes;
+enum { N = COMMON_ENTRIES, HALF = N / 2, LEAST = 3 };
 
 /* common_clip_axis() without a branch. */
 COMMON_INLINE void clip_axis(double *lo, double *hi, double from, double d, double least, double most, double margin)
@@ -19,9 +15,9 @@ COMMON_INLINE void clip_axis(double *lo, double *hi, double from, double d, doub
     *hi = far < *hi ? far : *hi;
 }
 
-COMMON_CLONES static void enter_four(const common_rays *restrict l, const common_boxed *restrict b, entry_lanes *restrict out)
+COMMON_INLINE void enter(const common_rays *restrict l, const common_boxed *restrict b, uint32_t n, common_entries *restrict out)
 {
-    for (uint32_t i = 0; i < TOGETHER; i++) {
+    for (uint32_t i = 0; i < n; i++) {
         const pov_ray ray = common_get_ray(l, i);
         const common_ray k = common_enter(&ray, b->anchor, b->scale);
         const double margin = 0x1p-40 + 0x1p-48 * pov_largest(pov_two3_hi(k.f));
@@ -49,7 +45,17 @@ COMMON_CLONES static void enter_four(const common_rays *restrict l, const common
     }
 }
 
-static common_entry get_entry(const entry_lanes *l, uint32_t i)
+COMMON_SEPARATE static void enter_half(const common_rays *restrict l, const common_boxed *restrict b, common_entries *restrict out)
+{
+    enter(l, b, HALF, out);
+}
+
+COMMON_SEPARATE static void enter_all(const common_rays *restrict l, const common_boxed *restrict b, common_entries *restrict out)
+{
+    enter(l, b, N, out);
+}
+
+static common_entry get_entry(const common_entries *l, uint32_t i)
 {
     common_entry e;
 
@@ -80,33 +86,74 @@ void common_boxed_intersect(const common_boxed *b, common_cross_entry *cross, co
         cross(self, ray, &e, hits);
 }
 
-/* Rays of one shape. */
-static void intersect_four(const common_boxed *b, common_cross_entry *cross, const void *self, const pov_ray *const *rays,
-                           pov_hits *const *hits, uint32_t n)
+/* May its first crossing be found beside others'? */
+static inline bool wants_first(const pov_ray *ray, const pov_hits *hits)
 {
+    return hits->want == POV_WANT_NEAREST && ray->origin_surface != hits->owner && !(hits->slack > 0.0);
+}
+
+static bool has_crossed(const common_entries *l, const common_first_crossings *of, uint32_t i, pov_hits *hits)
+{
+    const pov_mark mark = { (uint32_t)of->feature[i], 0, of->u[i], of->v[i] };
+
+    if (!(of->known[i] > 0.0))
+        return false;
+    pov_cross(hits, of->t[i] * l->unit[i], of->t_lo[i] * l->unit[i], mark);
+    return true;
+}
+
+/* Those that want their first crossings side by side, if there are several: a bit each. */
+static uint32_t find_firsts(common_first_of_entries *first, const void *self, common_entries *l, const pov_ray *const *rays, pov_hits *const *hits,
+                            uint32_t n, common_first_crossings *out)
+{
+    uint32_t some = 0;
+
+    for (uint32_t i = 0; i < N; i++)
+        l->least[i] = hits[common_lane_of(i, n)]->tmin * l->per_unit[i];
+    for (uint32_t i = 0; i < n; i++)
+        some |= (uint32_t)wants_first(rays[i], hits[i]) << i;
+    if (common_count(some) < LEAST)
+        return 0;
+    first(self, l, out);
+    return some;
+}
+
+/* Rays of one shape. */
+static void intersect_some(const common_boxed *b, common_cross_entry *cross, common_first_of_entries *first, const void *self,
+                           const pov_ray *const *rays, pov_hits *const *hits, uint32_t n)
+{
+    common_first_crossings of;
     common_rays lanes;
-    entry_lanes all;
+    common_entries all;
+    uint32_t known = 0;
 
     common_put_four_of(&lanes, 0, rays, n);
-    enter_four(&lanes, b, &all);
+    if (n > HALF || (first && n >= LEAST)) {
+        common_put_four_of(&lanes, HALF, rays, n);
+        enter_all(&lanes, b, &all);
+    } else {
+        enter_half(&lanes, b, &all);
+    }
+    if (first && n >= LEAST)
+        known = find_firsts(first, self, &all, rays, hits, n, &of);
     for (uint32_t i = 0; i < n; i++)
-        if (reaches(all.lo[i], all.hi[i], all.unit[i], hits[i])) {
+        if (reaches(all.lo[i], all.hi[i], all.unit[i], hits[i]) && !((known >> i & 1) && has_crossed(&all, &of, i, hits[i]))) {
             const common_entry e = get_entry(&all, i);
 
             cross(self, rays[i], &e, hits[i]);
         }
 }
 
-void common_boxed_intersect_many(size_t boxed_at, common_cross_entry *cross, const void *const *selves, const pov_ray *const *rays,
-                                 pov_hits *const *hits, uint32_t n)
+void common_boxed_intersect_many(size_t boxed_at, common_cross_entry *cross, common_first_of_entries *first, const void *const *selves,
+                                 const pov_ray *const *rays, pov_hits *const *hits, uint32_t n)
 {
     for (uint32_t i = 0, some; i < n; i += some) {
         const common_boxed *b = (const common_boxed *)(const void *)((const char *)selves[i] + boxed_at);
 
-        for (some = 1; some < TOGETHER && i + some < n && selves[i + some] == selves[i];)
+        for (some = 1; some < N && i + some < n && selves[i + some] == selves[i];)
             some++;
         if (some > 1)
-            intersect_four(b, cross, selves[i], rays + i, hits + i, some);
+            intersect_some(b, cross, first, selves[i], rays + i, hits + i, some);
         else
             common_boxed_intersect(b, cross, selves[i], rays[i], hits[i]);
     }

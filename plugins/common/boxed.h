@@ -13,23 +13,36 @@ typedef struct common_entry { common_ray k; common_span span; } common_entry;
 /* What a shape does with a ray that comes near. */
 typedef void common_cross_entry(const void *self, const pov_ray *ray, const common_entry *e, pov_hits *hits);
 
-/* intersect() of a class, and intersect_many(): `boxed_at` is where in an instance its box is. */
+/* Rays side by side: by lane an entry, and `least`, the local distance before which nothing counts. A ray that misses the box has a span
+ * that ends before it begins. */
+enum { COMMON_ENTRIES = 8 };
+typedef double common_by_entry[COMMON_ENTRIES];
+typedef struct common_entries { common_by_entry f[6], d[3], d_lo[3], unit, per_unit, lo, hi, least; } common_entries;
+
+/* By lane the first crossing behind `least`, in local distances, with its mark: its bits are those that cross() reports. Only where `known`
+ * is above 0. */
+typedef struct common_first_crossings { common_by_entry known, t, t_lo, feature, u, v; } common_first_crossings;
+
+/* What a shape does with rays that come near and start elsewhere, where their first crossings are wanted. */
+typedef void common_first_of_entries(const void *self, const common_entries *restrict l, common_first_crossings *restrict out);
+
+/* intersect() of a class, and intersect_many(): `boxed_at` is where in an instance its box is; `first` may be NULL. */
 void common_boxed_intersect(const common_boxed *b, common_cross_entry *cross, const void *self, const pov_ray *ray, pov_hits *hits);
-void common_boxed_intersect_many(size_t boxed_at, common_cross_entry *cross, const void *const *selves, const pov_ray *const *rays,
-                                 pov_hits *const *hits, uint32_t n);
+void common_boxed_intersect_many(size_t boxed_at, common_cross_entry *cross, common_first_of_entries *first, const void *const *selves,
+                                 const pov_ray *const *rays, pov_hits *const *hits, uint32_t n);
 
 /* A class whose instances have a member `boxed` does all that by its cross(). */
-#define COMMON_BOXED_CLASS(type, cross) COMMON_NARROW_CLASS(type, cross, NULL)
+#define COMMON_BOXED_CLASS(type, cross) COMMON_NARROW_CLASS(type, cross, NULL, NULL)
 
-/* The same of one that looks at candidates closer (narrow.h). */
-#define COMMON_NARROW_CLASS(type, cross, closer)                                                                             \
+/* The same of one that finds first crossings side by side, and looks at candidates closer (narrow.h). */
+#define COMMON_NARROW_CLASS(type, cross, first, closer)                                                                      \
     static void intersect(const void *self, const pov_ray *ray, pov_hits *hits)                                              \
     {                                                                                                                        \
         common_boxed_intersect(&((const type *)self)->boxed, cross, self, ray, hits);                                       \
     }                                                                                                                        \
     static void intersect_many(const void *const *selves, const pov_ray *const *rays, pov_hits *const *hits, uint32_t n)     \
     {                                                                                                                        \
-        common_boxed_intersect_many(offsetof(type, boxed), cross, selves, rays, hits, n);                                    \
+        common_boxed_intersect_many(offsetof(type, boxed), cross, first, selves, rays, hits, n);                             \
     }                                                                                                                        \
     static const pov_shape_fast fast = { .size = sizeof(pov_shape_fast), .intersect_many = intersect_many, .narrow = closer };   \
     static const void *extension(const char *name) { return common_is_fast(name) ? &fast : NULL; }

@@ -50,7 +50,7 @@ COMMON_INLINE void clip_to(double *near, double *far, double o, double d, double
     *far = common_lesser(common_greater(a, b), *far);
 }
 
-COMMON_CLONES static void enter(const space *to, const ray_lanes *restrict l, common_beams *restrict out, placed *restrict where)
+COMMON_SEPARATE static void enter(const space *to, const ray_lanes *restrict l, common_beams *restrict out, placed *restrict where)
 {
     for (uint32_t i = 0; i < N; i++) {
         const double dx = l->dir[0][i], dy = l->dir[1][i], dz = l->dir[2][i], tmax = l->tmax[i];

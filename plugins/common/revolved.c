@@ -69,7 +69,7 @@ COMMON_INLINE double greater(double a, double b) { return a > b ? a : b; }
 COMMON_INLINE double lesser(double a, double b) { return a < b ? a : b; }
 COMMON_INLINE double sum_of(double a, double b, double c) { return common_sum_of(a, b, c); }
 
-COMMON_CLONES static void find_lines(const common_beams *restrict l, lines *restrict out, sums *restrict of)
+COMMON_SEPARATE static void find_lines(const common_beams *restrict l, lines *restrict out, sums *restrict of)
 {
     for (uint32_t i = 0; i < N; i++) {
         const double dx = l->dir[0][i], rise = l->dir[1][i], dz = l->dir[2][i], px = l->org[0][i], pz = l->org[2][i];
@@ -130,7 +130,7 @@ COMMON_INLINE bool any_below(const double *restrict at)
 /* Along the stretch at its heights the square of the distance to the axis less that of the radius is a polynomial: its Bernstein coefficients.
  * Where the ray starts on the part, the first one is zero, and the signs of the others are those of the factor that is left. False: all rays
  * pass, as their coefficients are on one side. */
-COMMON_CLONES static bool find_cubic(const common_revolved_part *restrict p, const common_beams *restrict l, const lines *restrict n,
+COMMON_SEPARATE static bool find_cubic(const common_revolved_part *restrict p, const common_beams *restrict l, const lines *restrict n,
                                      stretches *restrict out)
 {
     const double r0 = p->square[0], r1 = p->square[1], r2 = p->square[2], r3 = p->square[3];
@@ -164,7 +164,7 @@ COMMON_CLONES static bool find_cubic(const common_revolved_part *restrict p, con
 }
 
 /* The same of second degree. */
-COMMON_CLONES static bool find_quadratic(const common_revolved_part *restrict p, const common_beams *restrict l, const lines *restrict n,
+COMMON_SEPARATE static bool find_quadratic(const common_revolved_part *restrict p, const common_beams *restrict l, const lines *restrict n,
                                          stretches *restrict out)
 {
     const double r0 = p->square[0], r1 = p->square[1], r2 = p->square[2];
@@ -204,7 +204,7 @@ COMMON_INLINE void judge(const stretches *restrict s, double all, double half, d
     add(io, i, hit, clear + hit > 0.0 ? 0.0 : s->reached[i], s->from[i] - n->off[i], s->to[i] + n->off[i]);
 }
 
-COMMON_CLONES static void add_cubic(const stretches *restrict s, const lines *restrict n, sums *restrict io)
+COMMON_SEPARATE static void add_cubic(const stretches *restrict s, const lines *restrict n, sums *restrict io)
 {
     for (uint32_t i = 0; i < N; i++) {
         const double b0 = s->b[0][i], b1 = s->b[1][i], b2 = s->b[2][i], b3 = s->b[3][i], first = s->own[i] > 0.0 ? b1 : b0;
@@ -216,7 +216,7 @@ COMMON_CLONES static void add_cubic(const stretches *restrict s, const lines *re
     }
 }
 
-COMMON_CLONES static void add_quadratic(const stretches *restrict s, const lines *restrict n, sums *restrict io)
+COMMON_SEPARATE static void add_quadratic(const stretches *restrict s, const lines *restrict n, sums *restrict io)
 {
     for (uint32_t i = 0; i < N; i++) {
         const double b0 = s->b[0][i], b1 = s->b[1][i], b2 = s->b[2][i], first = s->own[i] > 0.0 ? b1 : b0;
@@ -227,7 +227,7 @@ COMMON_CLONES static void add_quadratic(const stretches *restrict s, const lines
     }
 }
 
-COMMON_CLONES static void add_ring(const common_revolved_part *p, const common_beams *restrict l, const lines *restrict n, sums *restrict io)
+COMMON_SEPARATE static void add_ring(const common_revolved_part *p, const common_beams *restrict l, const lines *restrict n, sums *restrict io)
 {
     const double height = p->low, inner = p->inner, outer = p->outer, feature = p->feature;
 

@@ -27,6 +27,14 @@
 #define COMMON_CLONES
 #endif
 
+/* COMMON_SEPARATE: clones that are not inlined either, as their arguments are restrict no more where they are: loops over lanes are then tested
+ * for overlaps, and may be left scalar. */
+#if defined(__GNUC__) && (!defined(__x86_64__) || !defined(__gnu_linux__) || defined(COMMON_ONE_CLONE))
+#define COMMON_SEPARATE __attribute__((noinline))
+#else
+#define COMMON_SEPARATE COMMON_CLONES
+#endif
+
 /* Before a loop over a few lanes, which is to become vectors and not first be unrolled. */
 #if defined(__GNUC__) && !defined(__clang__)
 #define COMMON_LOOP _Pragma("GCC unroll 1")

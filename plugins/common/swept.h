@@ -30,6 +30,8 @@ bool common_swept_intersect(const common_swept *s, const pov_ray *ray, const com
 bool common_swept_cross(const common_swept *s, const pov_ray *ray, const common_entry *e, common_cross *room, pov_hits *hits);
 /* Of rays at the box of one that is no cone. */
 common_look common_swept_look;
+/* First crossings of rays at its box, as common_swept_cross() reports them; of none that is a cone, or open, or has quadratic pieces. */
+void common_swept_first(const common_swept *s, const common_entries *restrict l, common_first_crossings *restrict out);
 bool common_swept_inside(const common_swept *s, pov_two3 point);
 /* Of a crossing of this sweep. */
 void common_swept_normal(const common_swept *s, pov_vec3 dir, const pov_mark *mark, pov_vec3 *out);

@@ -17,7 +17,7 @@ typedef struct lines { common_beam ex, ey, side, place, begin, sure_begin, sure_
 /* By lane: -1 where what counts begins within the outline, else 1; bounds on the first crossing, infinite where there is none. */
 typedef struct sums { common_beam side, lo, hi, open; } sums;
 
-COMMON_CLONES static void find_lines(const common_swept *s, const common_beams *restrict l, lines *restrict out)
+COMMON_SEPARATE static void find_lines(const common_swept *s, const common_beams *restrict l, lines *restrict out)
 {
     const uint32_t up = s->axis, other = 3 - up;
     const double low = s->lo.hi, high = s->hi.hi, caps = s->open ? 0.0 : 1.0;
@@ -52,7 +52,7 @@ COMMON_CLONES static void find_lines(const common_swept *s, const common_beams *
 COMMON_INLINE double greater(double a, double b) { return a > b ? a : b; }
 
 /* On which side of each line a point is, and how far. */
-COMMON_CLONES static void find_sides(const lines *restrict n, double x, double y, double *restrict out)
+COMMON_SEPARATE static void find_sides(const lines *restrict n, double x, double y, double *restrict out)
 {
     for (uint32_t i = 0; i < N; i++)
         out[i] = common_sum_of(x, n->ey[i], -common_sum_of(y, n->ex[i], n->side[i]));
@@ -60,7 +60,7 @@ COMMON_CLONES static void find_sides(const lines *restrict n, double x, double y
 
 /* May any line cross the piece between two points? Of two numbers of one sign the size of their sum less that of their difference is twice
  * the smaller size; else it is below zero. */
-COMMON_CLONES static bool any_crosses(const lines *restrict n, const double *restrict p, const double *restrict q)
+COMMON_SEPARATE static bool any_crosses(const lines *restrict n, const double *restrict p, const double *restrict q)
 {
     double clear[N], least[N / 2];
     uint64_t any = 0;
@@ -85,7 +85,7 @@ COMMON_INLINE void add(sums *restrict io, uint32_t i, double before, double with
 }
 
 /* A straight piece between two points, by their sides. */
-COMMON_CLONES static void add_straight(const lines *restrict n, double number, const double *restrict a, const double *restrict b,
+COMMON_SEPARATE static void add_straight(const lines *restrict n, double number, const double *restrict a, const double *restrict b,
                                        const double *restrict p, const double *restrict q, sums *restrict io)
 {
     const double ax = a[0], ay = a[1], bx = b[0], by = b[1];
@@ -116,7 +116,7 @@ COMMON_INLINE double has_one_root(const double b[4], double u, double beside)
 }
 
 /* A cubic piece, by the sides and the places of its points. */
-COMMON_CLONES static void add_cubic(const lines *restrict n, double number, const double *restrict x, const double *restrict y, sums *restrict io)
+COMMON_SEPARATE static void add_cubic(const lines *restrict n, double number, const double *restrict x, const double *restrict y, sums *restrict io)
 {
     const double x0 = x[0], y0 = y[0], x1 = x[1], y1 = y[1], x2 = x[2], y2 = y[2], x3 = x[3], y3 = y[3];
 
@@ -135,7 +135,7 @@ COMMON_CLONES static void add_cubic(const lines *restrict n, double number, cons
     }
 }
 
-COMMON_CLONES static void tell(const lines *restrict n, const sums *restrict of, common_verdicts *restrict out)
+COMMON_SEPARATE static void tell(const lines *restrict n, const sums *restrict of, common_verdicts *restrict out)
 {
     for (uint32_t i = 0; i < N; i++) {
         const double inside = of->side[i] < 0.0 ? 1.0 : 0.0, crossed = of->hi[i] < HUGE_VAL ? 1.0 : 0.0, known = 1.0 - of->open[i];

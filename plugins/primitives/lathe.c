@@ -518,7 +518,7 @@ static uint32_t narrow(const void *self, const pov_own_map *map, uint32_t owner,
     return l->filter.count > 0 ? common_narrow(&l->boxed, common_revolved_look, &l->filter, map, owner, rays, io, n) : n;
 }
 
-COMMON_NARROW_CLASS(lathe, cross, narrow)
+COMMON_NARROW_CLASS(lathe, cross, NULL, narrow)
 
 /* ---- points ---- */
 

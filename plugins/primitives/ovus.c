@@ -239,7 +239,7 @@ static uint32_t narrow(const void *self, const pov_own_map *map, uint32_t owner,
     return o->filter.count > 0 ? common_narrow(&o->boxed, look, o, map, owner, rays, io, n) : n;
 }
 
-COMMON_NARROW_CLASS(ovus, cross, narrow)
+COMMON_NARROW_CLASS(ovus, cross, NULL, narrow)
 
 static bool inside(const void *self, pov_vec3 point, pov_vec3 point_lo)
 {

@@ -180,6 +180,11 @@ static void cross(const void *self, const pov_ray *ray, const common_entry *e, p
     common_swept_cross(&((const prism *)self)->swept, ray, e, hits->scratch, hits);
 }
 
+static void first(const void *self, const common_entries *restrict l, common_first_crossings *restrict out)
+{
+    common_swept_first(&((const prism *)self)->swept, l, out);
+}
+
 static uint32_t narrow(const void *self, const pov_own_map *map, uint32_t owner, const pov_rays *rays, pov_candidate *io, uint32_t n)
 {
     const prism *p = self;
@@ -187,7 +192,7 @@ static uint32_t narrow(const void *self, const pov_own_map *map, uint32_t owner,
     return p->swept.conic ? n : common_narrow(&p->boxed, common_swept_look, &p->swept, map, owner, rays, io, n);
 }
 
-COMMON_NARROW_CLASS(prism, cross, narrow)
+COMMON_NARROW_CLASS(prism, cross, first, narrow)
 
 static bool inside(const void *self, pov_vec3 point, pov_vec3 point_lo)
 {

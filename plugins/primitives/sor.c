@@ -333,7 +333,7 @@ static uint32_t narrow(const void *self, const pov_own_map *map, uint32_t owner,
     return common_narrow(&s->boxed, common_revolved_look, &s->filter, map, owner, rays, io, n);
 }
 
-COMMON_NARROW_CLASS(sor, cross, narrow)
+COMMON_NARROW_CLASS(sor, cross, NULL, narrow)
 
 /* ---- points ---- */
 

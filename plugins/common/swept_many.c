@@ -1,0 +1,239 @@
+/* The first crossings of rays with a straight sweep, side by side: by the arithmetic of swept.c and outline.c. A lane in which anything is
+ * near anything else is not known. */
+#include "common/swept.h"
+
+#include "base/elementary.h"
+#include "common/bernstein.h"
+
+enum { N = COMMON_ENTRIES, LOW_CAP = 0, HIGH_CAP, PIECES };
+typedef common_by_entry lane;
+
+/* By lane, in the plane: the line p + s d at base + s of the ray, and the square of d. Crossings up to `begin`, which is the near plane or where
+ * the ray begins, tell what is inside there; `end` is at the far plane. Distances are certain beyond before and after. */
+typedef struct lines { lane px, py, dx, dy, square, base, begin, end, before, after, near, far; } lines;
+
+/* By lane: the first crossing of the outline beyond `begin`, -1 where what begins there is inside, and above 0 where that is open. */
+typedef struct sums { lane s, u, piece, side, open; } sums;
+
+COMMON_INLINE pov_two height_of(const common_entries *l, uint32_t axis, uint32_t i) { return pov_two_of(l->f[2 * axis][i], l->f[2 * axis + 1][i]); }
+
+COMMON_INLINE double about(pov_two height, pov_two from, double along) { return pov_two_sub(height, from).hi / along; }
+
+COMMON_SEPARATE static void find_lines(const common_swept *s, const common_entries *restrict l, lines *restrict n, sums *restrict of)
+{
+    const uint32_t up = s->axis, other = 3 - up;
+    const pov_two low = s->lo, high = s->hi;
+
+    for (uint32_t i = 0; i < N; i++) {
+        const double base = l->lo[i], dx = l->d[0][i], dy = l->d[other][i], along = l->d[up][i], least = l->least[i];
+        const pov_two from = height_of(l, up, i), x = height_of(l, 0, i), y = height_of(l, other, i);
+        const double a = about(low, from, along), b = about(high, from, along);
+        const double near = along > 0.0 ? a : b, far = along > 0.0 ? b : a, begin = near > least ? near : least;
+        const double before = 0x1p-40 * (1.0 + fabs(base) + fabs(begin)), after = 0x1p-40 * (1.0 + fabs(base) + fabs(far));
+        const double parallel = fabs(dx) + fabs(dy) > 0x1p-100 ? fabs(along) > 0x1p-100 ? 0.0 : 1.0 : 1.0;
+
+        n->px[i] = pov_two_along(x, base, dx, l->d_lo[0][i]).hi;
+        n->py[i] = pov_two_along(y, base, dy, l->d_lo[other][i]).hi;
+        n->dx[i] = dx;
+        n->dy[i] = dy;
+        n->square[i] = dx * dx + dy * dy;
+        n->base[i] = base;
+        n->begin[i] = begin;
+        n->end[i] = far;
+        n->before[i] = before;
+        n->after[i] = after;
+        n->near[i] = near > least ? 1.0 : 0.0;
+        n->far[i] = far > begin + before + after ? 1.0 : 0.0;
+        of->s[i] = HUGE_VAL;
+        of->u[i] = 0.0;
+        of->piece[i] = 0.0;
+        of->side[i] = 1.0;
+        of->open[i] = fabs(near - least) > before ? parallel : 1.0;
+    }
+}
+
+COMMON_SEPARATE static void find_sides(const lines *restrict n, double x, double y, double *restrict out)
+{
+    for (uint32_t i = 0; i < N; i++)
+        out[i] = (x - n->px[i]) * n->dy[i] - (y - n->py[i]) * n->dx[i];
+}
+
+COMMON_INLINE bool any_of(const double *flags)
+{
+    double most[N / 2];
+
+    for (uint32_t i = 0; i < N / 2; i++)
+        most[i] = common_greater(flags[i], flags[i + N / 2]);
+    return common_greater(common_greater(most[0], most[1]), common_greater(most[2], most[3])) > 0.0;
+}
+
+/* Does any line cross the piece between two points, and which? */
+COMMON_SEPARATE static bool find_crossed(const double *restrict from, const double *restrict to, double *restrict out)
+{
+    for (uint32_t i = 0; i < N; i++)
+        out[i] = (from[i] >= 0.0) != (to[i] >= 0.0) ? 1.0 : 0.0;
+    return any_of(out);
+}
+
+/* The line crosses a piece at s, and at u of it, where `crossed`. */
+COMMON_INLINE void add(const lines *restrict n, uint32_t i, double crossed, double s, double u, double piece, sums *restrict io)
+{
+    const double t = n->base[i] + s, begin = n->begin[i], before = n->before[i];
+    const double is_before = t < begin - before ? crossed : 0.0, is_ahead = t > begin + before ? crossed : 0.0;
+    const double first = s < io->s[i] ? is_ahead : 0.0;
+
+    io->side[i] *= 1.0 - 2.0 * is_before;
+    io->open[i] += crossed - (is_before + is_ahead);
+    io->s[i] = first > 0.0 ? s : io->s[i];
+    io->u[i] = first > 0.0 ? u : io->u[i];
+    io->piece[i] = first > 0.0 ? piece : io->piece[i];
+}
+
+COMMON_INLINE double place_of(const lines *restrict n, uint32_t i, double x, double y)
+{
+    return ((x - n->px[i]) * n->dx[i] + (y - n->py[i]) * n->dy[i]) / n->square[i];
+}
+
+COMMON_SEPARATE static void add_straight(const lines *restrict n, const common_piece *c, double piece, const double *restrict from,
+                                       const double *restrict to, const double *restrict crossed, sums *restrict io)
+{
+    const double x0 = c->x[0], y0 = c->y[0], x1 = c->x[1], y1 = c->y[1];
+
+    for (uint32_t i = 0; i < N; i++) {
+        const double u = from[i] / (from[i] - to[i]), v = 1.0 - u;
+
+        add(n, i, crossed[i], place_of(n, i, x0 * v + x1 * u, y0 * v + y1 * u), u, piece, io);
+    }
+}
+
+/* ---- cubic pieces ---- */
+
+COMMON_INLINE double least_of(double a, double b, double c, double d) { return common_lesser(common_lesser(a, b), common_lesser(c, d)); }
+COMMON_INLINE double most_of(double a, double b, double c, double d) { return common_greater(common_greater(a, b), common_greater(c, d)); }
+
+/* The sides of its points, and where the line may cross it behind `begin`; where that is clearly before it, this is counted. Returns whether
+ * any line may. */
+COMMON_SEPARATE static bool find_cubic(const lines *restrict n, const common_piece *c, common_bernsteins *restrict out, double *restrict may, sums *restrict io)
+{
+    const double x0 = c->x[0], y0 = c->y[0], x1 = c->x[1], y1 = c->y[1], x2 = c->x[2], y2 = c->y[2], x3 = c->x[3], y3 = c->y[3];
+
+    for (uint32_t i = 0; i < N; i++) {
+        const double px = n->px[i], py = n->py[i], dx = n->dx[i], dy = n->dy[i];
+        const double b0 = (x0 - px) * dy - (y0 - py) * dx, b1 = (x1 - px) * dy - (y1 - py) * dx, b2 = (x2 - px) * dy - (y2 - py) * dx;
+        const double b3 = (x3 - px) * dy - (y3 - py) * dx;
+        const double a0 = (x0 - px) * dx + (y0 - py) * dy, a1 = (x1 - px) * dx + (y1 - py) * dy, a2 = (x2 - px) * dx + (y2 - py) * dy;
+        const double a3 = (x3 - px) * dx + (y3 - py) * dy, square = n->square[i];
+        const double off = 0x1p-40 * (1.0 + fabs(px) + fabs(py)) * (fabs(dx) + fabs(dy));
+        const double crossed = least_of(b0, b1, b2, b3) < 0.0 ? most_of(b0, b1, b2, b3) >= 0.0 ? 1.0 : 0.0 : 0.0;
+        const double is_before = most_of(a0, a1, a2, a3) < (n->begin[i] - n->before[i] - n->base[i]) * square - off ? crossed : 0.0;
+        const double is_behind = least_of(a0, a1, a2, a3) > (n->end[i] + n->after[i] - n->base[i]) * square + off ? crossed : 0.0;
+        const double odd = (b0 >= 0.0) != (b3 >= 0.0) ? is_before : 0.0;
+
+        out->b[0][i] = b0;
+        out->b[1][i] = b1;
+        out->b[2][i] = b2;
+        out->b[3][i] = b3;
+        out->noise[i] = 4.0 * 0x1p-53 * (3 + 1) * most_of(fabs(b0), fabs(b1), fabs(b2), fabs(b3));
+        out->beyond[i] = out->within[i] = -HUGE_VAL;
+        io->side[i] *= 1.0 - 2.0 * odd;
+        may[i] = is_before + is_behind > 0.0 ? 0.0 : crossed;
+    }
+    return any_of(may);
+}
+
+/* As common_piece_at(). */
+COMMON_INLINE double blend(const double *b, double u, double v)
+{
+    return ((b[0] * v + 3.0 * b[1] * u) * v + 3.0 * b[2] * u * u) * v + b[3] * u * u * u;
+}
+
+COMMON_SEPARATE static void add_cubic(const lines *restrict n, const common_piece *c, double piece, const double *restrict may,
+                                    const common_first_of_bernsteins *restrict at, sums *restrict io)
+{
+    const double x[4] = { c->x[0], c->x[1], c->x[2], c->x[3] }, y[4] = { c->y[0], c->y[1], c->y[2], c->y[3] };
+
+    for (uint32_t i = 0; i < N; i++) {
+        const double u = at->root[i], v = 1.0 - u, crossed = at->found[i] > 0.0 ? may[i] : 0.0;
+
+        io->open[i] += may[i] * (at->open[i] + at->more[i]);
+        add(n, i, crossed, place_of(n, i, blend(x, u, v), blend(y, u, v)), u, piece, io);
+    }
+}
+
+/* ---- all ---- */
+
+static void add_pieces(const common_outline *o, const lines *n, sums *io)
+{
+    lane sides[2], crossed;
+    double *from = sides[0], *to = sides[1], last[2] = { HUGE_VAL, HUGE_VAL };
+
+    for (uint32_t i = 0; i < o->count; i++) {
+        const common_piece *c = &o->at[i];
+        double *const before = from;
+
+        if (c->degree == 2) {
+            for (uint32_t k = 0; k < N; k++)
+                io->open[k] = 1.0;
+            return;
+        }
+        if (c->degree == 3) {
+            common_first_of_bernsteins at;
+            common_bernsteins all;
+
+            if (find_cubic(n, c, &all, crossed, io)) {
+                common_bernstein_first_many(&all, 3, &at);
+                add_cubic(n, c, i, crossed, &at, io);
+            }
+            continue;
+        }
+        if (!(c->x[0] == last[0] && c->y[0] == last[1]))
+            find_sides(n, c->x[0], c->y[0], from);
+        find_sides(n, c->x[1], c->y[1], to);
+        if (find_crossed(from, to, crossed))
+            add_straight(n, c, i, from, to, crossed, io);
+        from = to;
+        to = before;
+        last[0] = c->x[1];
+        last[1] = c->y[1];
+    }
+}
+
+/* The near plane, the piece, or the far plane. */
+COMMON_SEPARATE static void tell(const common_swept *s, const common_entries *restrict l, const lines *restrict n, const sums *restrict of,
+                               common_first_crossings *restrict out)
+{
+    const uint32_t up = s->axis;
+    const pov_two low = s->lo, high = s->hi;
+    const double first = s->first;
+
+    for (uint32_t i = 0; i < N; i++) {
+        const double inside = of->side[i] < 0.0 ? 1.0 : 0.0, enters = inside * n->near[i], t = n->base[i] + of->s[i], end = n->end[i], off = n->after[i];
+        const double leaves = t > end + off ? inside * (1.0 - enters) : 0.0, crosses = t < end - off ? 1.0 - enters : 0.0, upward = l->d[up][i] > 0.0 ? 1.0 : 0.0;
+        const double to_high = enters > 0.0 ? 1.0 - upward : upward, cap = enters + leaves;
+        const pov_two from = height_of(l, up, i), along = pov_two_of(l->d[up][i], l->d_lo[up][i]);
+        const pov_two height = pov_two_of(to_high > 0.0 ? high.hi : low.hi, to_high > 0.0 ? high.lo : low.lo);
+        const pov_two plane = pov_two_div(pov_two_sub(height, from), along), piece = pov_two_sum(n->base[i], of->s[i]);
+
+        out->known[i] = of->open[i] > 0.0 ? 0.0 : n->far[i] * (cap + crosses);
+        out->t[i] = cap > 0.0 ? plane.hi : piece.hi;
+        out->t_lo[i] = cap > 0.0 ? plane.lo : piece.lo;
+        out->feature[i] = first + (cap > 0.0 ? to_high : PIECES + of->piece[i]);
+        out->u[i] = cap > 0.0 ? 0.0 : of->u[i];
+        out->v[i] = leaves > 0.0 ? 0.0 : enters > 0.0 ? 1.0 : 1.0 - inside;
+    }
+}
+
+void common_swept_first(const common_swept *s, const common_entries *restrict l, common_first_crossings *restrict out)
+{
+    lines n;
+    sums of;
+
+    if (s->conic || s->open) {
+        for (uint32_t i = 0; i < N; i++)
+            out->known[i] = 0.0;
+        return;
+    }
+    find_lines(s, l, &n, &of);
+    add_pieces(&s->outline, &n, &of);
+    tell(s, l, &n, &of, out);
+}
