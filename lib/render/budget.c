@@ -1,5 +1,6 @@
 #include "render/budget.h"
 
+#include "render/estimate.h"
 #include "render/sample.h"
 
 #include <math.h>
@@ -72,7 +73,7 @@ static bool next_uniform(cells *c, const settings *s, const pov_pass *now)
     uint32_t n = (uint32_t)now->spp_max, next = next_rung(n);
 
     if (s->target_error > 0.0 && now->est_rmse > 0.0 && n >= BUDGET_LEAST) {
-        double ratio = now->est_rmse / (aim * s->target_error);
+        double ratio = now->est_rmse / (aim * estimate_asked(s, now));
         double needed = fmax(n * ratio * ratio, n + 2.0);
 
         if (needed < next)
@@ -165,7 +166,7 @@ typedef struct goal { double mean, fewest, square; } goal;
  * before BUDGET_LEAST. */
 static goal goal_of(const settings *s, const pov_pass *now)
 {
-    double mean = fmin(1.5 * now->spp_mean, s->samples), error = aim * s->target_error;
+    double mean = fmin(1.5 * now->spp_mean, s->samples), error = aim * estimate_asked(s, now);
     double fewest = fmax(1.0625 * now->spp_mean, BUDGET_LEAST);
 
     return (goal){ mean, fmin(mean, fewest), error * error };

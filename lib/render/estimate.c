@@ -117,3 +117,10 @@ void estimate_row(const cells *c, const settings *s, double *scratch, pov_pass *
     if (row->ref_rmse < 0.0)
         row->ref_max = -1.0;
 }
+
+double estimate_asked(const settings *s, const pov_pass *now)
+{
+    const double fifth_more = 1.2;
+
+    return now->est_rmse > 0.0 ? s->target_error * fmin(1.0, fifth_more * now->est_rmse / now->est_ci95_hi) : s->target_error;
+}

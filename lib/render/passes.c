@@ -112,14 +112,16 @@ static void count_lattice(pov_job *job, int pass, const pov_counts *fresh)
 }
 
 /* An estimate of zero is no estimate: then the upper end of its band is used. */
-static double error_shown(const pov_pass *now) { return now->est_rmse == 0.0 ? now->est_ci95_hi : now->est_rmse; }
+static bool has_error(const settings *s, const pov_pass *now)
+{
+    return now->est_rmse == 0.0 ? now->est_ci95_hi <= s->target_error : now->est_rmse > 0.0 && now->est_rmse <= estimate_asked(s, now);
+}
 
 static pov_stop reason_to_end(const pov_job *job, const pov_pass *now)
 {
     const settings *s = &job->settings;
 
-    if (s->target_error > 0.0 && now->est_rmse >= 0.0 && error_shown(now) <= s->target_error &&
-        now->spp_mean >= BUDGET_LEAST)
+    if (s->target_error > 0.0 && now->spp_mean >= BUDGET_LEAST && has_error(s, now))
         return POV_STOP_ERROR;
     return now->spp_mean >= s->samples ? POV_STOP_SAMPLES : POV_STOP_NONE;
 }
@@ -319,7 +321,7 @@ static double time_of_error(const pov_job *job)
     }
     if (!first)
         return -1.0;
-    return last->wall_s * pow(job->settings.target_error / last->est_rmse,
+    return last->wall_s * pow(estimate_asked(&job->settings, last) / last->est_rmse,
                               1.0 / fmin(most_slope, fmax(least_slope, log(last->est_rmse / first->est_rmse) /
                                                                            log(last->wall_s / first->wall_s))));
 }

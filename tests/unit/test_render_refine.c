@@ -147,6 +147,41 @@ static void an_asked_error_is_reached_and_not_by_far(void **state)
     tiny_end(&s);
 }
 
+/* The edge of one small sphere has all of the error: what few pixels say may be far less than what it is. */
+static void few_pixels_need_a_smaller_estimate(void **state)
+{
+    enum { SEEDS = 64 };
+    pov_render_desc d = refining(4096, POV_SAMPLING_UNIFORM);
+    int beyond = 0;
+    float *truth;
+    tiny s;
+    (void)state;
+
+    tiny_begin(&s, NULL);
+    s.model.background = colour_of(0.1f, 0.1f, 0.1f);
+    tiny_sphere(&s, 0.1, 0.2, 8, 0.5, tiny_emitted(1.0f, 1.0f, 1.0f));
+    tiny_build(&s);
+    d.seed = 1;
+    truth = tiny_picture(&s, &d);
+    for (int i = 0; i < 2 * SEEDS; i++) {
+        pov_pass row = POV_INIT(row);
+        pov_job *job;
+
+        d = refining(0, i < SEEDS ? POV_SAMPLING_UNIFORM : POV_SAMPLING_ADAPTIVE);
+        d.reference = truth;
+        d.target_error = 0.006;
+        d.seed = 2 + (uint32_t)i;
+        job = run(&s, &d);
+        row = last_row(job);
+        beyond += row.ref_rmse > 1.2 * d.target_error;
+        assert_true(row.est_ci95_hi <= 1.2 * d.target_error);
+        job_destroy(job);
+    }
+    assert_true(beyond <= SEEDS / 16);
+    free(truth);
+    tiny_end(&s);
+}
+
 /* Asked for less than the first samples have reached, or for hardly more: as few passes, none of them a crumb. */
 static void no_pass_is_a_crumb(void **state)
 {
@@ -400,6 +435,7 @@ int main(void)
         cmocka_unit_test(n4_equal_samples_leave_a_band_and_do_not_end_at_once),
         cmocka_unit_test(the_estimate_is_near_the_true_error),
         cmocka_unit_test(an_asked_error_is_reached_and_not_by_far),
+        cmocka_unit_test(few_pixels_need_a_smaller_estimate),
         cmocka_unit_test(no_pass_is_a_crumb),
         cmocka_unit_test(what_the_first_samples_missed_is_found),
         cmocka_unit_test(samples_go_where_the_error_is),
