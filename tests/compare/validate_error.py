@@ -2,14 +2,19 @@
 """Holds what povc says of its error against the truth, on every scene of the gallery.
 
 The truth is a picture of 65 536 samples a pixel of another seed, kept for the next run; or the mean of several of as many
-seeds: late samples of a picture with photons share two maps, whose error does not fall with more of them. Held are, unless options say
-otherwise: est_over_true within 0.85 .. 1.18 in each row from 4 to 1024 samples; the 95 % band around the true error in
-90 % of the rows; a true error below 0.0024 after --error 0.002; --time 2 ending within 0.1 s. Last, how much more uniform
-sampling takes than adaptive to --error 0.002. The exit status is 1 if something is not held."""
+seeds: late samples of a picture with photons share two maps, whose error does not fall with more of them. Held are, unless
+options say otherwise: est_over_true within 0.85 .. 1.18 in each row from 4 to 1024 samples; the 95 % band around the true
+error in 90 % of the rows; a true error below 0.0024 after --error 0.002; --time 2 ending within 0.1 s. Last, how much more
+uniform sampling takes than adaptive to --error 0.002. The exit status is 1 if something is not held.
+
+Estimate and true error of one picture are two numbers of chance. How far the logarithm of their ratio spreads follows from
+the band; it falls with the number of pixels that share the error. It is printed, and how many rows such a spread puts
+outside: --size is to be so large that these are few. A truth that is not much better than a row adds its own error."""
 import argparse
 import array
 import csv
 import hashlib
+import math
 import os
 import statistics
 import subprocess
@@ -29,6 +34,7 @@ def arguments():
     parser.add_argument('--work', default='build/validate', help='where references are kept')
     parser.add_argument('--size', default='64x48', help='of the pictures with a reference')
     parser.add_argument('--truth', type=int, default=65536, help='samples a pixel of a reference')
+    parser.add_argument('--truth-sampling', default='uniform', help='of a reference; adaptive where few pixels have the error')
     parser.add_argument('--seeds', type=int, default=1, help='pictures whose mean is a reference')
     parser.add_argument('--most', type=int, default=1024, help='samples a pixel of the rows')
     parser.add_argument('--large', default='320x240', help='of the pictures whose cost is compared')
@@ -66,7 +72,7 @@ def one_truth(options, scene, path, seed):
     if not path.exists():
         part = path.with_suffix('.part.pfm')
         resume = ['--resume'] if Path(f'{part}.checkpoint').exists() else []
-        render(options, scene, options.size, part, '--spp', str(options.truth), '--sampling', 'uniform',
+        render(options, scene, options.size, part, '--spp', str(options.truth), '--sampling', options.truth_sampling,
                '--seed', str(seed), '--partial-every', '60', *resume)
         part.rename(path)
     return path
@@ -86,7 +92,8 @@ def write_mean(pictures, path):
 def truth_of(options, scene):
     """A reference is made once; when it was interrupted, the next run goes on with it."""
     name = hashlib.sha256(scene.read_bytes()).hexdigest()[:12]
-    path = Path(options.work) / f'{scene.stem}-{options.size}-{options.truth}{f"x{options.seeds}" if options.seeds > 1 else ""}-{name}.pfm'
+    how = f'{options.truth}{f"x{options.seeds}" if options.seeds > 1 else ""}{"a" if options.truth_sampling == "adaptive" else ""}'
+    path = Path(options.work) / f'{scene.stem}-{options.size}-{how}-{name}.pfm'
     if not path.exists():
         some = [one_truth(options, scene, path.with_suffix(f'.{SEED + k}.pfm'), SEED + k) for k in range(options.seeds)]
         write_mean(some, path)
@@ -99,31 +106,44 @@ def rays(row):
     return row['primary_rays'] + row['secondary_rays'] + row['shadow_rays']
 
 
+def spread(row):
+    """Of the logarithm of estimate over true error, by the band: it is 1.96 of these wide on each side."""
+    return math.log(row['est_ci95_hi'] / row['est_rmse']) / 1.96
+
+
+def chance_outside(options, row):
+    normal = statistics.NormalDist(0.0, spread(row))
+    return 1.0 - normal.cdf(math.log(options.highest)) + normal.cdf(math.log(options.lowest))
+
+
 def hold_rows(options, scene, truth):
-    """Rows, those outside the limits, and how many bands held, over both ways of sampling."""
+    """Rows, those outside the limits, how many of these chance explains, and how many bands held, over both ways of sampling."""
     count = held = 0
+    chance = 0.0
     outside = []
     for way in WAYS:
         rows = rows_of(options, scene, options.size, '--spp', str(options.most), '--sampling', way, '--reference', str(truth))
-        rows = [row for row in rows if row['spp_mean'] >= 4 and row['est_rmse'] is not None]
+        rows = [row for row in rows if row['spp_mean'] >= 4 and row['est_rmse']]
         ratios = [row['est_over_true'] for row in rows]
         covered = sum(row['est_ci95_lo'] <= row['ref_rmse'] <= row['est_ci95_hi'] for row in rows)
         outside += [f'{way} at {row["spp_mean"]:.0f}: {row["est_over_true"]:.2f}' for row in rows
                     if not options.lowest <= row['est_over_true'] <= options.highest]
         count, held = count + len(rows), held + covered
+        chance += sum(chance_outside(options, row) for row in rows)
         print(f'{scene.stem:14} {way:9} estimated / true {min(ratios):.2f} ... {max(ratios):.2f}'
-              f'   band holds {covered} of {len(rows)}', flush=True)
-    return count, held, outside
+              f'   spread by the bands {statistics.median(map(spread, rows)):.2f}   band holds {covered} of {len(rows)}', flush=True)
+    return count, held, chance, outside
 
 
 def check_rows(options):
     count = held = 0
+    chance = 0.0
     outside = []
     for scene in options.scenes:
-        rows, covered, wrong = hold_rows(options, scene, truth_of(options, scene))
-        count, held = count + rows, held + covered
+        rows, covered, by_chance, wrong = hold_rows(options, scene, truth_of(options, scene))
+        count, held, chance = count + rows, held + covered, chance + by_chance
         outside += [f'{scene.stem} {text}' for text in wrong]
-    print(f'rows: {len(outside)} of {count} outside {options.lowest} ... {options.highest}; bands hold {held} of {count}, '
+    print(f'rows: {len(outside)} of {count} outside {options.lowest} ... {options.highest} ({chance:.1f} by chance); bands hold {held} of {count}, '
           f'{100.0 * held / count:.1f} % ({100 * options.covered:.0f} % asked)')
     for text in outside:
         print(f'  {text}')
