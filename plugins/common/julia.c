@@ -10,7 +10,8 @@
  * 6 (size + off) (|b| + off) |b| off. */
 typedef struct places { double a[4][COMMON_PROBES], b[4][COMMON_PROBES], off[COMMON_PROBES], bent[COMMON_PROBES]; } places;
 
-COMMON_INLINE void enter(const common_julia *restrict j, const common_probes *restrict s, uint32_t lanes, places *restrict q)
+/* part: the last component of the slice's normal. */
+COMMON_INLINE void enter(const common_julia *restrict j, double part, const common_probes *restrict s, uint32_t lanes, places *restrict q)
 {
     const double *n = j->slice.v;
 
@@ -19,8 +20,8 @@ COMMON_INLINE void enter(const common_julia *restrict j, const common_probes *re
             q->a[k][l] = s->p[k][l];
             q->b[k][l] = s->d[k][l];
         }
-        q->a[3][l] = (j->at - n[0] * s->p[0][l] - n[1] * s->p[1][l] - n[2] * s->p[2][l]) / n[3];
-        q->b[3][l] = -(n[0] * s->d[0][l] + n[1] * s->d[1][l] + n[2] * s->d[2][l]) / n[3];
+        q->a[3][l] = (j->at - n[0] * s->p[0][l] - n[1] * s->p[1][l] - n[2] * s->p[2][l]) / part;
+        q->b[3][l] = -(n[0] * s->d[0][l] + n[1] * s->d[1][l] + n[2] * s->d[2][l]) / part;
         q->off[l] = s->off[l];
         q->bent[l] = 0.0;
     }
@@ -29,15 +30,15 @@ COMMON_INLINE void enter(const common_julia *restrict j, const common_probes *re
 /* What is known of them at a place, and the next: q^2 = (x^2 - |v|^2, 2 x v), q^3 = (x (x^2 - 3 |v|^2), (3 x^2 - |v|^2) v). The square of
  * u b, of which u^2 is from 0 to 1, counts half. Rounding is not covered: it is far below the radii that count. What has left stays as
  * it is. False: all have. */
-COMMON_INLINE bool pass_place(const common_julia *restrict j, bool cube, uint32_t place, double reach, uint32_t lanes, places *restrict q,
-                              common_probes *restrict s)
+COMMON_INLINE bool pass_place(const common_julia *restrict j, bool cube, bool points, uint32_t place, double reach, uint32_t lanes,
+                              places *restrict q, common_probes *restrict s)
 {
     int64_t any = 0;
 
     for (uint32_t l = 0; l < lanes; l++) {
         const double ax = q->a[0][l], ai = q->a[1][l], aj = q->a[2][l], ak = q->a[3][l], off = q->off[l], bent = q->bent[l];
         const double bx = q->b[0][l], bi = q->b[1][l], bj = q->b[2][l], bk = q->b[3][l];
-        const int64_t wide = s->wide[l], before = s->left[l], open = s->open[l];
+        const int64_t wide = points ? 0 : s->wide[l], before = s->left[l], open = s->open[l];
         const double x2 = ax * ax, v2 = ai * ai + aj * aj + ak * ak, square = x2 + v2;
         const double bx2 = bx * bx, bv2 = bi * bi + bj * bj + bk * bk, b2 = bx2 + bv2;
         const double x = ax * bx, v = ai * bi + aj * bj + ak * bk, dot = x + v;
@@ -58,8 +59,8 @@ COMMON_INLINE bool pass_place(const common_julia *restrict j, bool cube, uint32_
         if (cube) {
             const double times = 3.0 * x2 - v2, all = size + off;
 
-            q->off[l] = (3.0 * size + speed) * b2 + ((3.0 * size + off) * off + 3.0 * size * size) * off;
-            q->bent[l] = 3.0 * all * (all * bent + 2.0 * (speed + off) * speed);
+            q->off[l] = points ? 0.0 : (3.0 * size + speed) * b2 + ((3.0 * size + off) * off + 3.0 * size * size) * off;
+            q->bent[l] = points ? 0.0 : 3.0 * all * (all * bent + 2.0 * (speed + off) * speed);
             q->a[0][l] = ax * (x2 - 3.0 * v2) + j->c.v[0];
             q->a[1][l] = ai * times + j->c.v[1];
             q->a[2][l] = aj * times + j->c.v[2];
@@ -71,8 +72,8 @@ COMMON_INLINE bool pass_place(const common_julia *restrict j, bool cube, uint32_
         } else {
             const double half = 0.5 * (bx2 - bv2), a2 = 2.0 * ax, twice_b = 2.0 * bx;
 
-            q->off[l] = (2.0 * size + off) * off + 0.5 * b2;
-            q->bent[l] = 2.0 * ((size + off) * bent + (speed + off) * speed);
+            q->off[l] = points ? 0.0 : (2.0 * size + off) * off + 0.5 * b2;
+            q->bent[l] = points ? 0.0 : 2.0 * ((size + off) * bent + (speed + off) * speed);
             q->a[0][l] = x2 - v2 + j->c.v[0] + (wide ? half : 0.0);
             q->a[1][l] = ai * a2 + j->c.v[1] + (wide ? bx * bi : 0.0);
             q->a[2][l] = aj * a2 + j->c.v[2] + (wide ? bx * bj : 0.0);
@@ -86,46 +87,62 @@ COMMON_INLINE bool pass_place(const common_julia *restrict j, bool cube, uint32_
     return any != 0;
 }
 
-COMMON_INLINE void follow_of(const common_julia *restrict j, bool cube, uint32_t places_wanted, double reach, uint32_t lanes,
+COMMON_INLINE void follow_of(const common_julia *restrict j, bool cube, bool points, uint32_t places_wanted, double reach, uint32_t lanes,
                              common_probes *restrict s)
 {
     places q;
 
-    enter(j, s, lanes, &q);
+    /* A division by one costs as much as any other. */
+    if (j->slice.v[3] == 1.0)
+        enter(j, 1.0, s, lanes, &q);
+    else
+        enter(j, j->slice.v[3], s, lanes, &q);
     for (uint32_t l = 0; l < lanes; l++) {
-        s->square[l] = s->place[l] = s->slope[l] = 0.0;
         s->left[l] = -1;
         s->open[l] = s->sure[l] = 0;
     }
-    for (uint32_t i = 0; i < places_wanted && pass_place(j, cube, i, reach, lanes, &q, s);)
+    for (uint32_t i = 0; i < places_wanted && pass_place(j, cube, points, i, reach, lanes, &q, s);)
         i++;
 }
 
-/* Loops over a constant number of lanes are unrolled. */
-#define FOLLOW(name, cube, lanes)                                                                                                  \
+/* Loops over a constant number of lanes are unrolled. Points alone need no bounds, which cost roots. */
+#define FOLLOW(name, cube, points, lanes)                                                                                          \
     COMMON_CLONES static void name(const common_julia *j, uint32_t places_wanted, double reach, common_probes *restrict s)         \
     {                                                                                                                              \
-        follow_of(j, cube, places_wanted, reach, lanes, s);                                                                        \
+        follow_of(j, cube, points, places_wanted, reach, lanes, s);                                                                \
     }
-FOLLOW(follow_square, false, 1)
-FOLLOW(follow_four_squares, false, 4)
-FOLLOW(follow_squares, false, COMMON_PROBES)
-FOLLOW(follow_cubes, true, COMMON_PROBES)
+FOLLOW(follow_square, false, false, 1)
+FOLLOW(follow_four_squares, false, false, 4)
+FOLLOW(follow_eight_squares, false, false, 8)
+FOLLOW(follow_squares, false, false, COMMON_PROBES)
+FOLLOW(follow_eight_cubes, true, false, 8)
+FOLLOW(follow_cubes, true, false, COMMON_PROBES)
+FOLLOW(follow_four_points_of_square, false, true, 4)
+FOLLOW(follow_four_points_of_cube, true, true, 4)
 
-/* Those of unused lanes are the first again. */
-static void follow_quaternions(const common_julia *j, uint32_t places_wanted, double reach, common_probes *s, uint32_t n)
+/* Unused lanes are the first again. */
+static void fill_lanes(common_probes *s, uint32_t n, uint32_t lanes)
 {
-    const uint32_t lanes = j->cube || n > 4 ? COMMON_PROBES : n > 1 ? 4 : 1;
-
     for (uint32_t l = n; l < lanes; l++)
         common_probe_put(s, l, pov_vec3_of(s->p[0][0], s->p[1][0], s->p[2][0]), pov_vec3_of(s->d[0][0], s->d[1][0], s->d[2][0]), s->off[0],
                          s->wide[0] != 0);
-    if (j->cube)
+}
+
+static void follow_quaternions(const common_julia *j, uint32_t places_wanted, double reach, common_probes *s, uint32_t n)
+{
+    const uint32_t lanes = n > 8 ? COMMON_PROBES : j->cube || n > 4 ? 8 : n > 1 ? 4 : 1;
+
+    fill_lanes(s, n, lanes);
+    if (j->cube && lanes == 8)
+        follow_eight_cubes(j, places_wanted, reach, s);
+    else if (j->cube)
         follow_cubes(j, places_wanted, reach, s);
     else if (lanes == 1)
         follow_square(j, places_wanted, reach, s);
     else if (lanes == 4)
         follow_four_squares(j, places_wanted, reach, s);
+    else if (lanes == 8)
+        follow_eight_squares(j, places_wanted, reach, s);
     else
         follow_squares(j, places_wanted, reach, s);
 }
@@ -223,6 +240,10 @@ pov_vec3 common_julia_slope(const common_julia *j, pov_vec3 p, uint32_t place)
         return slope_of_pair(j, p, place);
     for (uint32_t i = 0; i < 3; i++)
         common_probe_put(&s, i, p, pov_vec3_of(i == 0, i == 1, i == 2), 0.0, false);
-    common_julia_follow(j, place + 1, HUGE_VAL, &s, 3);
+    fill_lanes(&s, 3, 4);
+    if (j->cube)
+        follow_four_points_of_cube(j, place + 1, HUGE_VAL, &s);
+    else
+        follow_four_points_of_square(j, place + 1, HUGE_VAL, &s);
     return pov_vec3_of(s.slope[0], s.slope[1], s.slope[2]);
 }

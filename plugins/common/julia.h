@@ -31,7 +31,7 @@ typedef enum common_side { COMMON_IN, COMMON_OUT, COMMON_OPEN } common_side;
 /* Points side by side, or stretches from p - d to p + d and what is up to `off` beside them. Of each the last place that was looked at,
  * its middle's square of size there, and what is known of it. All bits or none: it is not all outside; some of it may be; it is inside at all
  * places but the last, where the square of size has the sign of its slope. The slope is that for a step of d. */
-enum { COMMON_PROBES = 8 };
+enum { COMMON_PROBES = 16 };
 typedef struct common_probes {
     double p[3][COMMON_PROBES], d[3][COMMON_PROBES], off[COMMON_PROBES];
     int64_t wide[COMMON_PROBES];                            /* a stretch */

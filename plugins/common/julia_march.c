@@ -5,7 +5,7 @@
 #include "common/clip.h"
 #include "common/lanes.h"
 
-enum { LANES = COMMON_PROBES };
+enum { LANES = COMMON_PROBES, ALL = (1 << LANES) - 1 };
 
 /* The question that is open, but for a stretch: the point at the ray's start; a stretch's end, and its start again; a place between
  * these; a place of a stretch that crosses once at most. */
@@ -88,12 +88,14 @@ COMMON_INLINE double end_of(double from, double length, double shortest, double 
     return next < to ? next : to;
 }
 
-/* Goes on behind stretches that are clear, and divides those that may not be. Which of the lanes it did so for, as bits, and above these
- * which of them ask for a stretch again; what is left of the others keeps as it was. */
+/* The last lane first. */
+static const int64_t bit_of[LANES] = { 32768, 16384, 8192, 4096, 2048, 1024, 512, 256, 128, 64, 32, 16, 8, 4, 2, 1 };
+
+/* Goes on behind stretches that are clear, and divides those that may not be. Which of the lanes it did so for, as bits from the last
+ * lane on, and above these which of them ask for a stretch again; what is left of the others keeps as it was. */
 COMMON_CLONES static uint32_t take_stretches(const common_julia *restrict j, stretches *restrict s, common_probes *restrict p)
 {
-    int64_t done[LANES], again[LANES];
-    uint32_t bits = 0;
+    int64_t bits = 0;
 
     for (uint32_t l = 0; l < LANES; l++) {
         const int64_t asked = s->asked[l], out = s->out[l], left = p->left[l], open = left & p->open[l];
@@ -103,8 +105,8 @@ COMMON_CLONES static uint32_t take_stretches(const common_julia *restrict j, str
         const double end = end_of(from, length, shortest, s->to[l]), middle = 0.5 * (from + end), half = 0.5 * (end - from);
         const int64_t more = from < s->to[l] ? on : 0, wanted = from <= s->enough[l] ? more : 0;
 
-        done[l] = on;
-        again[l] = length > shortest ? wanted : 0;
+        bits |= bit_of[l] & on;
+        bits |= bit_of[l] << LANES & (length > shortest ? wanted : 0);
         s->from[l] = from;
         s->length[l] = on ? length : before;
         s->end[l] = on ? end : s->end[l];
@@ -113,9 +115,7 @@ COMMON_CLONES static uint32_t take_stretches(const common_julia *restrict j, str
             p->d[k][l] = on ? s->d[k][l] * half : p->d[k][l];
         }
     }
-    for (uint32_t l = 0; l < LANES; l++)
-        bits |= (uint32_t)(done[l] & 1) << l | (uint32_t)(again[l] & 1) << (LANES + l);
-    return bits;
+    return (uint32_t)bits;
 }
 
 static bool ask_next(search *x, uint32_t l)
@@ -335,7 +335,9 @@ static void begin(search *x, const pov_ray *ray, pov_hits *hits)
     s->shortest[l] = x->j->shortest / r->rate;
     s->length[l] = x->j->first * s->to[l];
     s->out[l] = -1;
-    if (span.lo > 0.0 && !from_here) {
+    if (from_here)
+        s->out[l] = -(int64_t)(r->side > 0.0);
+    if (span.lo > 0.0 || from_here) {
         x->count += ask_next(x, l);
     } else {
         ask(x, l, AT_START, 0.0, 0.0);
@@ -397,9 +399,12 @@ static void intersect_some(const common_julia *j, const pov_ray *const *rays, po
             return;
         common_julia_follow(j, j->places, j->reach, &x.probes, x.count);
         bits = x.count < COMMON_LEAST ? 0 : take_stretches(j, &x.s, &x.probes);
-        for (uint32_t l = x.count; l-- > 0;)
-            if (!(bits >> (LANES + l) & 1) && !(bits >> l & 1 ? ask_next(&x, l) : take(&x, l)) && l < --x.count)
+        for (uint32_t other = ALL << (LANES - x.count) & ~(bits >> LANES) & ALL; other; other &= other - 1) {
+            const uint32_t l = LANES - 1 - common_first_lane(other);
+
+            if (!(bits & bit_of[l] ? ask_next(&x, l) : take(&x, l)) && l < --x.count)
                 move_lane(&x, x.count, l);
+        }
     }
 }
 
