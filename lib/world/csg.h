@@ -89,8 +89,9 @@ typedef struct csg_outline {
     double numbers[];
 } csg_outline;
 
-/* One surface, clipped by convex solids: their members. outlined: the tree's outline has the clips as its columns, and nothing else. */
-typedef struct csg_clipped { uint32_t count, surface, clip[CSG_FEW]; bool outlined; } csg_clipped;
+/* One surface, clipped by convex solids: their members. shown: some of these show as well. outlined: the tree's outline has the clips
+ * as its columns, and nothing else. */
+typedef struct csg_clipped { uint32_t count, surface, clip[CSG_FEW]; bool shown, outlined; } csg_clipped;
 
 typedef struct csg_tree {
     csg_few few;

@@ -1,6 +1,7 @@
 /* The first crossing of one surface that convex solids clip, such as an endless one within a sphere. It is the first one between where
- * the ray enters the last of them and where it leaves the first, whatever is inside the surface. Where crossings are too close for
- * doubles, and where more than the first is wanted, csg_intersect.c has the rules. */
+ * the ray enters the last of them and where it leaves the first, whatever is inside the surface. Where the solids show as well, as in
+ * an intersection, it is one of theirs for a ray that is inside the surface as it enters them, or until it leaves them. Where
+ * crossings are too close for doubles, and where more than the first is wanted, csg_intersect.c has the rules. */
 #include "world/csg_traversal.h"
 
 /* Crossings of the surface are looked for a little beyond the clips. */
@@ -12,9 +13,27 @@ enum { CROSSINGS = 8 };
 
 /* ---- which trees ---- */
 
-static bool clips(const csg_member *m)
+static bool may_clip(const csg_member *m)
 {
-    return m->hidden && m->boxed && !m->inverse && !m->patch && !m->absent && (m->shape->flags & POV_SHAPE_CONVEX);
+    return m->boxed && !m->inverse && !m->patch && !m->absent && (m->shape->flags & POV_SHAPE_CONVEX);
+}
+
+/* The surface is the only member that shows, or the only one that cannot clip. Else the number of members. */
+static uint32_t find_surface(const csg_tree *t)
+{
+    uint32_t showing = 0, others = 0, shown = 0, other = 0;
+
+    for (uint32_t i = 0; i < t->member_count; i++) {
+        if (!t->members[i].hidden) {
+            showing++;
+            shown = i;
+        }
+        if (!may_clip(&t->members[i])) {
+            others++;
+            other = i;
+        }
+    }
+    return showing == 1 ? shown : others == 1 ? other : t->member_count;
 }
 
 static bool is_surface(const csg_member *m) { return !m->hidden && !m->patch && !m->absent; }
@@ -37,19 +56,21 @@ static bool is_intersection(const csg_tree *t, node_ref node)
 void csg_find_clipped(csg_tree *t)
 {
     csg_clipped found = { 0 };
-    uint32_t surfaces = 0;
 
     if (!t->boxed || t->empty || t->member_count > CSG_FEW || !is_intersection(t, NODE_GROUP))
         return;
-    for (uint32_t i = 0; i < t->member_count; i++)
-        if (clips(&t->members[i]))
-            found.clip[found.count++] = i;
-        else if (is_surface(&t->members[i]) && surfaces++ == 0)
-            found.surface = i;
-        else
+    found.surface = find_surface(t);
+    if (found.surface == t->member_count || !is_surface(&t->members[found.surface]))
+        return;
+    for (uint32_t i = 0; i < t->member_count; i++) {
+        if (i == found.surface)
+            continue;
+        if (!may_clip(&t->members[i]))
             return;
-    if (surfaces == 1)
-        t->clipped = found;
+        found.shown = found.shown || !t->members[i].hidden;
+        found.clip[found.count++] = i;
+    }
+    t->clipped = found;
 }
 
 /* ---- members ---- */
@@ -57,6 +78,7 @@ void csg_find_clipped(csg_tree *t)
 typedef struct clip_search {
     csg_traversal *w;
     double enter, leave;         /* of all clips */
+    pov_crossing entry, exit;    /* where they are known in double-double */
     uint32_t escalated;
     bool unsure;
     pov_crossing at[CROSSINGS];
@@ -117,9 +139,14 @@ static bool narrow(clip_search *s, const csg_member *m, const pov_hits *hits)
     s->unsure = s->unsure || count > 2;
     if (s->unsure || count == 0)
         return false;
-    if (in > 0.0)
-        s->enter = s->enter > 0.0 && is_before(s, in, s->enter) ? s->enter : in;
-    s->leave = isfinite(s->leave) && is_before(s, s->leave, out) ? s->leave : out;
+    if (in > 0.0 && !(s->enter > 0.0 && is_before(s, in, s->enter))) {
+        s->enter = in;
+        s->entry = s->at[!in_order];
+    }
+    if (!isfinite(s->leave) || !is_before(s, s->leave, out)) {
+        s->leave = out;
+        s->exit = s->at[count < 2 ? 0 : in_order];
+    }
     return is_before(s, s->enter, s->leave);
 }
 
@@ -137,20 +164,22 @@ static const pov_crossing *first_of_surface(clip_search *s, uint32_t count, doub
     return first;
 }
 
-/* False: the slope is too small to tell whether the ray enters. Where any crossing will do, that does not matter. */
-static bool report(const csg_member *m, const pov_ray *own, const pov_crossing *at, pov_hits *hits)
+/* Will this crossing do, whichever is the first? Of a clip that shows, one behind the ray's end says nothing of those before it. */
+static bool is_enough(const csg_clipped *c, const pov_crossing *at, const pov_hits *hits)
 {
-    double slope = 0.0;
+    return hits->want == POV_WANT_ANY && (!c->shown || at->t < hits->tmax - hits->slack);
+}
+
+/* Does the ray enter the solid there? False: the slope is too small to tell. */
+static bool find_side(const csg_member *m, const pov_ray *own, const pov_crossing *at, bool *enters)
+{
+    double slope;
     pov_vec3 normal;
 
-    if (hits->want != POV_WANT_ANY) {
-        m->shape->normal(m->instance, own, at, &normal);
-        slope = pov_dot(normal, own->dir);
-        if (!(fabs(slope) > certain * pov_largest(own->dir)))
-            return false;
-    }
-    csg_report(at, (slope < 0.0) != m->turned, hits);
-    return true;
+    m->shape->normal(m->instance, own, at, &normal);
+    slope = pov_dot(normal, own->dir);
+    *enters = (slope < 0.0) != m->turned;
+    return fabs(slope) > certain * pov_largest(own->dir);
 }
 
 /* Where the ray is within all clips, in double-double. False: it never is, or not before its end; or that is open. */
@@ -177,20 +206,49 @@ static csg_found narrow_by_outline(clip_search *s, const pov_hits *hits, double 
     return s->enter > s->leave + *off || s->leave < -*off || s->enter - *off > hits->tmax + hits->slack ? CSG_NOTHING : CSG_CROSSED;
 }
 
+/* Between the ends the ray is inside the surface up to its first crossing, or throughout: a clip's end is the first, if that shows.
+ * False: open. */
+static bool report_clip(clip_search *s, pov_hits *hits)
+{
+    const pov_crossing *end;
+
+    begin(s, s->w);
+    if (!narrow_all(s, hits))
+        return !s->unsure;
+    end = s->enter > 0.0 ? &s->entry : &s->exit;
+    if (csg_member_at(s->w, end)->hidden)
+        return false;
+    hits->escalated += s->escalated;
+    csg_report(end, s->enter > 0.0, hits);
+    return true;
+}
+
 /* Of ends that are off nothing lies outside of them, and no crossing counts but the first. False: open. */
 static bool find_between(clip_search *s, double from, double to, double off, pov_hits *hits)
 {
-    const csg_member *m = &s->w->tree->members[s->w->tree->clipped.surface];
+    const csg_clipped *c = &s->w->tree->clipped;
+    const csg_member *m = &s->w->tree->members[c->surface];
     const pov_crossing *first;
     const pov_ray *ray;
+    bool enters = m->turned, enough;
     pov_ray own;
 
     ray = ray_of(s, m, &own);
     first = first_of_surface(s, intersect(s, m, ray, from, to, off > 0.0 ? POV_WANT_NEAREST : POV_WANT_ALL, hits), off);
-    if (s->unsure)
+    enough = first && is_enough(c, first, hits);
+    if (s->unsure || (first && !enough && !find_side(m, ray, first, &enters)))
         return false;
     hits->escalated += s->escalated;
-    return !first || report(m, ray, first, hits);
+    if (!first)
+        return !c->shown || csg_member_holds(s->w, m, 0.5 * (fmax(s->enter, 0.0) + s->leave)) == m->inverse || report_clip(s, hits);
+    if (c->shown && !enough && !enters && s->enter >= -off) {
+        if (off > 0.0 && s->enter <= off)
+            return false;
+        if (s->enter > 0.0)
+            return report_clip(s, hits);
+    }
+    csg_report(first, enters, hits);
+    return true;
 }
 
 bool csg_clipped_first(csg_traversal *w, pov_hits *hits)

@@ -1,5 +1,5 @@
-/* A surface that one convex solid clips is drawn as if several did, of which all but one hold nothing of it: rays find its first
- * crossing in another way. */
+/* A surface that one convex solid clips, or cuts as it shows itself, is drawn as if several did, of which all but one hold nothing of it:
+ * rays find its first crossing in another way. */
 #include "support/check.h"
 #include "support/scenes.h"
 
@@ -17,27 +17,34 @@ enum { WIDE = 48, HIGH = 36 };
 #define CUBIC "cubic { <1.2,0,0,.4, 0,0,1,0,0,-.3, .9,.3,0,0,0,0, -.7,0,0,.1> "
 #define QUARTIC "poly { 4, <1,0,0,0,2,0,0,2,0,-1.3, 0,0,0,0,0,0,0,0,0,0, 1,0,0,2,0,.3,0,0,0,0, 1,0,-1.3,0,.2> "
 
-static float *draw(const char *object, const char *clip, const char *rest, const char *camera)
+static float *draw(const char *object, const char *clip, const char *rest, const char *camera, bool shows)
 {
     char text[2048];
 
-    snprintf(text, sizeof text, SCENE "object { %s } clipped_by { %s } %s }", camera, object, clip, rest);
+    snprintf(text, sizeof text, shows ? SCENE "intersection { object { %s } } object { %s } %s }" : SCENE "object { %s } clipped_by { %s } %s }",
+             camera, object, clip, rest);
     return scenes_draw(text, WIDE, HIGH, 1, 1);
 }
 
-static void assert_alike(const char *object, const char *clip, const char *rest, const char *camera)
+static void assert_each_alike(const char *object, const char *clip, const char *rest, const char *camera, bool shows)
 {
     char several[512];
     float *one, *many;
 
     snprintf(several, sizeof several, "union { object { %s } sphere { <77,78,79>, .01 } }", clip);
-    one = draw(object, clip, rest, camera);
-    many = draw(object, several, rest, camera);
+    one = draw(object, clip, rest, camera, shows);
+    many = draw(object, several, rest, camera, shows);
     for (int i = 0; i < 3 * WIDE * HIGH; i++)
         if (!(fabsf(one[i] - many[i]) < 1e-6f))
-            fail_msg("%s clipped by %s, %s: %g at %d, not %g", object, clip, rest, (double)one[i], i, (double)many[i]);
+            fail_msg("%s %s by %s, %s: %g at %d, not %g", object, shows ? "cut" : "clipped", clip, rest, (double)one[i], i, (double)many[i]);
     free(one);
     free(many);
+}
+
+static void assert_alike(const char *object, const char *clip, const char *rest, const char *camera)
+{
+    assert_each_alike(object, clip, rest, camera, false);
+    assert_each_alike(object, clip, rest, camera, true);
 }
 
 static void one_clip_is_like_several(void **state)

@@ -1,6 +1,7 @@
 /* test_csg_outline.c - solids of few members, moved, turned and stretched: the first crossing that their outlines find, for rays one by
  * one and side by side, against the walk in double-double, which does not know them. Of convex members and complements of such, and of
- * planes and quadrics too in unions, intersections, differences and clips within each other; and tori that convex members clip. */
+ * planes and quadrics too in unions, intersections, differences and clips within each other; and tori that convex members clip, or
+ * that they intersect. */
 #include "numerics/sides.h"
 
 #include "support/fake_reader.h"
@@ -185,20 +186,30 @@ static void make_any_tree(scene *s)
     assert_true(model_add_tree(&s->model, root));
 }
 
-/* A torus without poles, which has no outline, within one convex member or two. */
-static void make_clipped_tree(scene *s)
+/* A torus without poles, which has no outline, within one convex member or two; or what these have of it, which others may clip, or
+ * without it. */
+static void make_torus_tree(scene *s, node_op op)
 {
-    group_node all = { .op = NODE_CLIP, .line = 1, .column = 1 };
+    group_node all = { .op = op, .line = 1, .column = 1 };
     const probe torus = { .kind = TORUS, .count = 2, .size = 1.0, .number = { 0.5 + 0.8 * U(), 0.1 + 0.4 * U() } };
-    const uint32_t n = U() < 0.2 ? 3 : 2;
+    const uint32_t n = op == NODE_DIFFERENCE || U() < 0.8 ? 2 : 3, place = op == NODE_CLIP ? 0 : op == NODE_DIFFERENCE ? 1 : below(n);
     node_ref children[3], root;
 
-    children[0] = add_probe(s, torus);
-    for (uint32_t i = 1; i < n; i++)
-        children[i] = add_member(s);
+    for (uint32_t i = 0; i < n; i++)
+        children[i] = i == place ? add_probe(s, torus) : add_member(s);
     assert_true(model_add_group(&s->model, &all, children, n, &root));
+    if (op == NODE_INTERSECTION && U() < 0.2) {
+        group_node clipped = { .op = NODE_CLIP, .line = 1, .column = 1 };
+
+        children[0] = root;
+        children[1] = add_member(s);
+        assert_true(model_add_group(&s->model, &clipped, children, 2, &root));
+    }
     assert_true(model_add_tree(&s->model, root));
 }
+
+static void make_clipped_tree(scene *s) { make_torus_tree(s, NODE_CLIP); }
+static void make_cut_tree(scene *s) { make_torus_tree(s, U() < 0.6 ? NODE_INTERSECTION : NODE_DIFFERENCE); }
 
 static pov_ray new_ray(void)
 {
@@ -338,12 +349,21 @@ static void outlines_of_clips_find_what_the_walk_finds(void **state)
     assert_true(all.hits > rays / 40 && all.blocked > all.hits / 2);
 }
 
+static void outlines_of_what_cuts_a_surface_find_what_the_walk_finds(void **state)
+{
+    const tally all = ask_all(make_cut_tree);
+
+    (void)state;
+    assert_true(all.hits > rays / 20 && all.blocked > all.hits / 2);
+}
+
 int main(int argc, char **argv)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(outlines_find_what_the_walk_finds),
         cmocka_unit_test(outlines_of_any_nodes_find_what_the_walk_finds),
         cmocka_unit_test(outlines_of_clips_find_what_the_walk_finds),
+        cmocka_unit_test(outlines_of_what_cuts_a_surface_find_what_the_walk_finds),
     };
 
     if (argc > 1)
