@@ -1,4 +1,6 @@
-/* A box around what is inside a polynomial's surface, where its terms of the highest order keep one sign in all directions. */
+/* A box around what is inside a polynomial's surface, where its terms of the highest weight keep one sign in all directions. The weight of
+ * a term x^i y^j z^k is a i + b j + c k: each coordinate grows by its own power of a reach, so that the highest power of each counts as
+ * much as that of the others. So x^4 - x^2 + y^2 + z^2 is finite, with the weights 1, 2 and 2. */
 #include "common/bernstein.h"
 #include "common/polynomial.h"
 
@@ -23,7 +25,31 @@ static void take_all(const common_polynomial *p, tensor *out)
                 out->at[(i * row + j) * row + k] = p->at[at];
 }
 
-static double size_of_order(const common_polynomial *p, int order)
+/* The weights of the coordinates, and that of the highest powers of each. */
+typedef struct weights { int of[3], most; } weights;
+
+static bool find_weights(const common_polynomial *p, weights *out)
+{
+    const int n = p->order;
+    int highest[3] = { 0, 0, 0 };
+
+    for (int e = 2; e <= n; e += 2)
+        for (int axis = 0; axis < 3; axis++)
+            if (p->at[common_polynomial_place(n, axis == 0 ? e : 0, axis == 1 ? e : 0, axis == 2 ? e : 0)] > 0.0)
+                highest[axis] = e;
+    if (highest[0] == 0 || highest[1] == 0 || highest[2] == 0)
+        return false;
+    for (out->most = 2; out->most % highest[0] != 0 || out->most % highest[1] != 0 || out->most % highest[2] != 0; )
+        out->most += 2;
+    for (int axis = 0; axis < 3; axis++)
+        out->of[axis] = out->most / highest[axis];
+    return true;
+}
+
+static int weight_of(const weights *w, int i, int j, int k) { return w->of[0] * i + w->of[1] * j + w->of[2] * k; }
+
+/* Of the coefficients of a weight: the sum of their sizes. */
+static double size_of_weight(const common_polynomial *p, const weights *w, int weight)
 {
     double sum = 0.0;
     uint32_t at = 0;
@@ -31,8 +57,21 @@ static double size_of_order(const common_polynomial *p, int order)
     for (int i = p->order; i >= 0; i--)
         for (int j = p->order - i; j >= 0; j--)
             for (int k = p->order - i - j; k >= 0; k--, at++)
-                sum += i + j + k == order ? fabs(p->at[at]) : 0.0;
+                sum += weight_of(w, i, j, k) == weight ? fabs(p->at[at]) : 0.0;
     return sum;
+}
+
+/* Are there terms of a higher weight than the highest powers have? */
+static bool has_more(const common_polynomial *p, const weights *w)
+{
+    uint32_t at = 0;
+
+    for (int i = p->order; i >= 0; i--)
+        for (int j = p->order - i; j >= 0; j--)
+            for (int k = p->order - i - j; k >= 0; k--, at++)
+                if (p->at[at] != 0.0 && weight_of(w, i, j, k) > w->most)
+                    return true;
+    return false;
 }
 
 /* ---- what a polynomial is in a box ---- */
@@ -75,17 +114,19 @@ static double least_of(const double *at, int count)
     return least;
 }
 
-/* Bernstein coefficients in the cube from -reach to reach. */
-static void find_bernstein(tensor *t, int n, double reach)
+/* Bernstein coefficients in the box from -reach to reach. */
+static void find_bernstein(tensor *t, int n, const double reach[3])
 {
-    const int row = n + 1, steps[3] = { 1, row, row * row };
-    double map[MANY][MANY];
+    const int row = n + 1, steps[3] = { row * row, row, 1 };
 
-    find_map(n, -reach, reach, map);
-    for (int axis = 0; axis < 3; axis++)
+    for (int axis = 2; axis >= 0; axis--) {
+        double map[MANY][MANY];
+
+        find_map(n, -reach[axis], reach[axis], map);
         for (int from = 0; from < row * row * row; from += row * steps[axis])
             for (int i = from; i < from + steps[axis]; i++)
                 apply(n, map, t->at + i, t->at + i, steps[axis]);
+    }
 }
 
 /* De Casteljau's scheme at the middle of the lines along an axis: the part below it stays, `upper` is the other. */
@@ -105,8 +146,8 @@ static void halve(tensor *t, int n, int step, tensor *upper)
 
 /* ---- how far it reaches ---- */
 
-/* The highest order where one coordinate is one: a polynomial of the others, u^j v^k. */
-static void take_face(const common_polynomial *p, int face, double out[MANY * MANY])
+/* The terms of the highest weight where one coordinate is 1, or -1: a polynomial of the others, u^j v^k. */
+static void take_face(const common_polynomial *p, const weights *w, int face, bool below, double out[MANY * MANY])
 {
     const int n = p->order, row = n + 1;
     uint32_t at = 0;
@@ -114,17 +155,21 @@ static void take_face(const common_polynomial *p, int face, double out[MANY * MA
     memset(out, 0, MANY * MANY * sizeof *out);
     for (int i = n; i >= 0; i--)
         for (int j = n - i; j >= 0; j--)
-            for (int k = n - i - j; k >= 0; k--, at++)
-                if (i + j + k == n)
-                    out[face == 0 ? j * row + k : face == 1 ? i * row + k : i * row + j] = p->at[at];
+            for (int k = n - i - j; k >= 0; k--, at++) {
+                const int power = face == 0 ? i : face == 1 ? j : k;
+                double *to = &out[face == 0 ? j * row + k : face == 1 ? i * row + k : i * row + j];
+
+                if (weight_of(w, i, j, k) == w->most)
+                    *to += below && power % 2 != 0 ? -p->at[at] : p->at[at];
+            }
 }
 
-static double least_on_face(const common_polynomial *p, int face, double maps[FACE][MANY][MANY])
+static double least_on_face(const common_polynomial *p, const weights *w, int face, bool below, double maps[FACE][MANY][MANY])
 {
     const int n = p->order, row = n + 1;
     double all[MANY * MANY], strip[MANY * MANY], cell[MANY * MANY], least = HUGE_VAL;
 
-    take_face(p, face, all);
+    take_face(p, w, face, below, all);
     for (int u = 0; u < FACE; u++) {
         for (int k = 0; k <= n; k++)
             apply(n, maps[u], all + k, strip + k, row);
@@ -137,30 +182,32 @@ static double least_on_face(const common_polynomial *p, int face, double maps[FA
     return least;
 }
 
-/* The least value of the highest order where the largest of |x|, |y|, |z| is one. Even orders have it on three faces. */
-static double least_outward(const common_polynomial *p)
+/* The least value of the highest weight where the largest of |x|, |y|, |z| is one. With weights of one it is the same on faces opposite
+ * each other. */
+static double least_outward(const common_polynomial *p, const weights *w)
 {
     const double side = 2.0 / FACE;
+    const int faces = w->of[0] == w->of[1] && w->of[1] == w->of[2] ? 3 : 6;
     double least = HUGE_VAL, maps[FACE][MANY][MANY];
 
     for (int i = 0; i < FACE; i++)
         find_map(p->order, -1.0 + side * i, -1.0 + side * i + side, maps[i]);
-    for (int face = 0; face < 3 && least > 0.0; face++)
-        least = fmin(least, least_on_face(p, face, maps));
-    return least - 0x1p-40 * size_of_order(p, p->order);
+    for (int face = 0; face < faces && least > 0.0; face++)
+        least = fmin(least, least_on_face(p, w, face % 3, face >= 3, maps));
+    return least - 0x1p-40 * size_of_weight(p, w, w->most);
 }
 
-/* A power of two, beyond which the highest order is larger than all others together. 0: none. */
-static double find_reach(const common_polynomial *p)
+/* A power of two, beyond which the highest weight is larger than all others together. 0: none. */
+static double find_reach(const common_polynomial *p, const weights *w)
 {
-    const double least = least_outward(p);
+    const double least = least_outward(p, w);
 
     for (int e = -60; least > 0.0 && e <= 60; e++) {
         const double r = ldexp(1.0, e);
         double power = 1.0, rest = 0.0;
 
-        for (int k = 0; k < p->order; k++) {
-            rest += power * size_of_order(p, k);
+        for (int k = 0; k < w->most; k++) {
+            rest += power * size_of_weight(p, w, k);
             power *= r;
         }
         if (least * power > 2.0 * rest)
@@ -216,12 +263,12 @@ static void find_cells(hunt *h, tensor *t, const pov_box *box, int depth)
     find_cells(h, t, &part, depth + 1);
 }
 
-static double noise_at(const common_polynomial *p, double reach)
+static double noise_at(const common_polynomial *p, const weights *w, double reach)
 {
     double sum = 0.0, power = 1.0;
 
-    for (int k = 0; k <= p->order; k++) {
-        sum += power * size_of_order(p, k);
+    for (int k = 0; k <= w->most; k++) {
+        sum += power * size_of_weight(p, w, k);
         power *= reach;
     }
     return 0x1p-40 * sum;
@@ -229,19 +276,33 @@ static double noise_at(const common_polynomial *p, double reach)
 
 bool common_polynomial_find_box(const common_polynomial *p, pov_box *out)
 {
-    const double reach = p->order % 2 == 0 && p->order <= ORDER_MOST ? find_reach(p) : 0.0, margin = 0x1p-20 * reach;
-    const pov_box all = { { -reach, -reach, -reach }, { reach, reach, reach } };
-    hunt h = { p->order, noise_at(p, reach), { { HUGE_VAL, HUGE_VAL, HUGE_VAL }, { -HUGE_VAL, -HUGE_VAL, -HUGE_VAL } } };
+    weights w;
+    const bool may = p->order % 2 == 0 && p->order <= ORDER_MOST && find_weights(p, &w) && !has_more(p, &w);
+    const double reach = may ? find_reach(p, &w) : 0.0;
+    hunt h = { p->order, 0.0, { { HUGE_VAL, HUGE_VAL, HUGE_VAL }, { -HUGE_VAL, -HUGE_VAL, -HUGE_VAL } } };
+    double of[3];
+    pov_vec3 all, margin;
+    pov_box box;
     tensor t;
 
     if (reach == 0.0)
         return false;
+    for (int axis = 0; axis < 3; axis++) {
+        of[axis] = 1.0;
+        for (int k = 0; k < w.of[axis]; k++)
+            of[axis] *= reach;
+    }
+    all = pov_vec3_of(of[0], of[1], of[2]);
+    box.lo = pov_scale(all, -1.0);
+    box.hi = all;
+    h.noise = noise_at(p, &w, reach);
     take_all(p, &t);
-    find_bernstein(&t, p->order, reach);
-    find_cells(&h, &t, &all, 0);
+    find_bernstein(&t, p->order, of);
+    find_cells(&h, &t, &box, 0);
     if (!(h.found.lo.x < h.found.hi.x))
         return false;
-    out->lo = pov_sub(h.found.lo, pov_vec3_of(margin, margin, margin));
-    out->hi = pov_add(h.found.hi, pov_vec3_of(margin, margin, margin));
+    margin = pov_scale(all, 0x1p-20);
+    out->lo = pov_sub(h.found.lo, margin);
+    out->hi = pov_add(h.found.hi, margin);
     return true;
 }
