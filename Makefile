@@ -112,7 +112,7 @@ LINK_PROGRAM = $(call say,LINK,$@) $(CC) $(LINK_FLAGS) $(filter %.o,$^) -L$(BUIL
 # Sums and products of 512 bits take a tenth less time on AMD's Zen 5. On servers of Intel's that lower their clock for them,
 # WIDE_BITS=256 is the faster one. The bits of pictures are the same.
 WIDE_BITS ?= 512
-WIDE_FLAGS_x86-64-v4 = -mprefer-vector-width=$(WIDE_BITS)
+WIDE_FLAGS_x86-64-v4 = -mprefer-vector-width=$(WIDE_BITS) $(if $(filter 512,$(WIDE_BITS)),,-DPOV_NARROW)
 
 # $(1): the copy's folder below obj, with its slash: none for the baseline.
 define COPY_RULES

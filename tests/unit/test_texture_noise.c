@@ -90,8 +90,9 @@ static void tables_are_those_of_the_rules(void **state)
 
 static bool is_same(double a, double b) { return a == b || (isnan(a) && isnan(b)); }
 
-/* The same bits for a point whatever its lane and its neighbours; some of which may be too far away for integers. */
-static void is_alone(pov_vec3 last)
+/* The same bits for a point whatever its lane and its neighbours; some of which may be too far away for integers, or in the
+ * same cell. */
+static void is_alone(double step, pov_vec3 last)
 {
     noise_tables *t = make();
     const turbulence of = turbulence_default();
@@ -99,7 +100,7 @@ static void is_alone(pov_vec3 last)
     vec_lanes at, vectors;
 
     for (uint32_t i = 0; i < LANES_MAX; i++)
-        lanes_put(&at, i, pov_vec3_of(0.37 * i - 9.0, 1.7 - 0.91 * i, 0.013 * i * i));
+        lanes_put(&at, i, pov_vec3_of(0.37 * step * i - 9.0, 1.7 - 0.91 * step * i, 0.013 * step * i * i));
     lanes_put(&at, LANES_MAX - 1, last);
     for (int generator = 1; generator <= 3; generator++) {
         noise_turbulence(t, generator, &of, &at, LANES_MAX, value);
@@ -118,10 +119,12 @@ static void is_alone(pov_vec3 last)
 static void a_lane_is_alone(void **state)
 {
     (void)state;
-    is_alone(pov_vec3_of(3.5, -4095.75, 1e5));
-    is_alone(pov_vec3_of(3.5, -1e8, 0.5));
-    is_alone(pov_vec3_of(1e12, 0.0, 0.5));
-    is_alone(pov_vec3_of(0.25, 0.5, -1e300));
+    for (double step = 1.0; step > 0.001; step *= 0.3) {
+        is_alone(step, pov_vec3_of(3.5, -4095.75, 1e5));
+        is_alone(step, pov_vec3_of(3.5, -1e8, 0.5));
+        is_alone(step, pov_vec3_of(1e12, 0.0, 0.5));
+        is_alone(step, pov_vec3_of(0.25, 0.5, -1e300));
+    }
 }
 
 /* Beyond 2^31 POV-Ray's conversion to integers ends; what has no place has a value all the same. */
