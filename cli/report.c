@@ -3,7 +3,6 @@
 #include "save.h"
 
 #include <ctype.h>
-#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -41,77 +40,6 @@ pov_status report_check(pov_context *context, const args *a, pov_error *err)
     if (status == POV_OK && (f == FORM_PLOT || f == FORM_HTML))
         status = pov_plot_check(context, f == FORM_PLOT ? ending : "svg", err);
     return status;
-}
-
-/* ---- figures ---- */
-
-report_figures report_figures_of(const pov_pass *row, const pov_pass *before)
-{
-    report_figures f = { -1.0, -1.0, NAN };
-    double best = row->ref_rmse >= 0.0 ? row->ref_rmse : row->est_rmse;
-
-    if (row->ref_rmse > 0.0 && row->est_rmse >= 0.0)
-        f.est_over_true = row->est_rmse / row->ref_rmse;
-    if (best > 0.0 && row->cpu_s > 0.0)
-        f.efficiency = 1.0 / (best * best * row->cpu_s);
-    if (before && before->est_rmse > 0.0 && row->est_rmse > 0.0 && before->wall_s > 0.0 && row->wall_s > before->wall_s)
-        f.slope = log(row->est_rmse / before->est_rmse) / log(row->wall_s / before->wall_s);
-    return f;
-}
-
-const char *report_stop(const report *r)
-{
-    switch (r->progress->stop) {
-    case POV_STOP_SAMPLES: return "samples";
-    case POV_STOP_ERROR: return "error";
-    case POV_STOP_TIME: return "time";
-    case POV_STOP_USER: return "user";
-    default: return "none";
-    }
-}
-
-/* ---- tables ---- */
-
-static void put_csv_number(FILE *to, double value)
-{
-    if (value >= 0.0)
-        fprintf(to, ",%.9g", value);
-    else
-        fputc(',', to);
-}
-
-static void put_csv_row(FILE *to, const pov_pass *p, const pov_pass *before)
-{
-    report_figures f = report_figures_of(p, before);
-    const pov_counts *c = &p->counts;
-
-    fprintf(to, "%d,%.6f,%.6f,%d,%.6g,%d,%llu,%llu,%llu", p->pass, p->wall_s, p->cpu_s, p->threads, p->spp_mean, p->spp_max,
-            (unsigned long long)c->camera, (unsigned long long)(c->reflected + c->transmitted),
-            (unsigned long long)c->shadow);
-    put_csv_number(to, p->est_rmse);
-    put_csv_number(to, p->est_ci95_lo);
-    put_csv_number(to, p->est_ci95_hi);
-    put_csv_number(to, p->est_p99_tile);
-    put_csv_number(to, p->est_rmse >= 0.0 ? (double)p->unresolved : -1.0);
-    fprintf(to, ",%llu,%llu,%llu", (unsigned long long)c->cut_depth, (unsigned long long)c->cut_weight,
-            (unsigned long long)p->clipped);
-    put_csv_number(to, p->ref_rmse);
-    put_csv_number(to, p->ref_max);
-    put_csv_number(to, f.est_over_true);
-    put_csv_number(to, f.efficiency);
-    if (isnan(f.slope))
-        fputs(",\n", to);
-    else
-        fprintf(to, ",%.4f\n", f.slope);
-}
-
-void report_put_csv(const report *r, FILE *to)
-{
-    fputs("pass,wall_s,cpu_s,threads,spp_mean,spp_max,primary_rays,secondary_rays,shadow_rays,est_rmse,est_ci95_lo,"
-          "est_ci95_hi,est_p99_tile,unresolved_px,bias_depth,bias_adc,bias_clamp,ref_rmse,ref_max,est_over_true,"
-          "efficiency,slope\n", to);
-    for (size_t i = 0; i < r->count; i++)
-        put_csv_row(to, &r->rows[i], i > 0 ? &r->rows[i - 1] : NULL);
 }
 
 /* ---- writing ---- */
