@@ -1,6 +1,7 @@
 #include "light/grid.h"
 
 #include "base/elementary.h"
+#include "base/simd.h"
 #include "light/aim.h"
 
 #include <povtrace/exact.h>
@@ -138,23 +139,38 @@ light_grid *grid_create(const env *e, const light *l, bool soft)
 /* ---- directions ---- */
 
 /* The bits of a point, mixed: a number that is as good as random. */
-static uint64_t mix(pov_vec3 point, uint32_t k, uint32_t draw)
+SIMD_INLINE uint64_t mix_in(uint64_t bits, double number)
 {
-    const double numbers[3] = { point.x, point.y, point.z };
-    uint64_t bits = (uint64_t)draw << 32 | (k + 1);
+    bits = (bits ^ elementary_bits(number)) * 0x9E3779B97F4A7C15u;
+    return bits ^ bits >> 29;
+}
 
-    for (int i = 0; i < 3; i++) {
-        bits = (bits ^ elementary_bits(numbers[i])) * 0x9E3779B97F4A7C15u;
-        bits ^= bits >> 29;
-    }
-    bits *= 0xBF58476D1CE4E5B9u;
+SIMD_INLINE uint64_t mix(double x, double y, double z, uint64_t seed)
+{
+    const uint64_t bits = mix_in(mix_in(mix_in(seed, x), y), z) * 0xBF58476D1CE4E5B9u;
+
     return bits ^ bits >> 32;
 }
 
 /* Anywhere in a cell around `at`. */
-static double moved(double at, double cell, uint64_t bits)
+SIMD_INLINE double moved(double at, double cell, uint64_t bits)
 {
-    return at + cell * ((double)(bits & 0xffffff) * 0x1p-24 + (0x1p-25 - 0.5));
+    return at + cell * ((double)(int32_t)(bits & 0xffffff) * 0x1p-24 + (0x1p-25 - 0.5));
+}
+
+/* Places along both axes of points that jitter, for light on `n` points of surfaces. */
+SIMD_CLONES static void jitter(const light_grid *g, uint32_t k, uint32_t draw, const vec_lanes *restrict at, uint32_t n, double *restrict u,
+                               double *restrict v)
+{
+    const uint64_t seed = (uint64_t)draw << 32 | (k + 1);
+    const double u_at = g->points[k].u, v_at = g->points[k].v, u_cell = g->cell[0], v_cell = g->cell[1];
+
+    for (uint32_t i = 0; i < n; i++) {
+        const uint64_t bits = mix(at->x[i], at->y[i], at->z[i], seed);
+
+        u[i] = moved(u_at, u_cell, bits);
+        v[i] = moved(v_at, v_cell, bits >> 32);
+    }
 }
 
 /* Directions closer to the z axis than this cosine have a frame by y. */
@@ -197,42 +213,124 @@ static pov_vec3 against_beam(const light *l, pov_vec3 to_middle, pov_vec3 move)
     return pov_scale(back, distance > hardly ? distance : hardly);
 }
 
-/* From the middle to the k-th point, for light on a point of a surface. */
-static pov_vec3 move_of(const light *l, const light_grid *g, uint32_t k, uint32_t draw, pov_vec3 point, pov_vec3 to)
+/* Moves along axes that are the same for all. */
+SIMD_CLONES static void move_along(const pov_vec3 axes[2], const double *restrict u, const double *restrict v, uint32_t n,
+                                   vec_lanes *restrict move)
 {
-    grid_point p = g->points[k];
-    pov_vec3 axes[2] = { l->area.axes[0], l->area.axes[1] };
+    const pov_vec3 a = axes[0], b = axes[1];
 
-    if (g->cell[0] > 0.0 || g->cell[1] > 0.0) {
-        const uint64_t bits = mix(point, k, draw);
-
-        p.u = moved(p.u, g->cell[0], bits);
-        p.v = moved(p.v, g->cell[1], bits >> 32);
+    for (uint32_t i = 0; i < n; i++) {
+        move->x[i] = a.x * u[i] + b.x * v[i];
+        move->y[i] = a.y * u[i] + b.y * v[i];
+        move->z[i] = a.z * u[i] + b.z * v[i];
     }
-    if (g->rounded)
-        round_off(&p.u, &p.v);
-    if (l->flags & LIGHT_ORIENT)
-        turn(l, pov_unit(to), axes);
-    return pov_add(pov_scale(axes[0], p.u), pov_scale(axes[1], p.v));
+}
+
+/* From the middle to the k-th point, for light on `n` points of surfaces; `to` are their directions to the light's position. Up to a
+ * whole vector more are filled in. */
+static void find_moves(const light *l, const light_grid *g, uint32_t k, uint32_t draw, const vec_lanes *at, const vec_lanes *to, uint32_t n,
+                       vec_lanes *move)
+{
+    SIMD_ALIGNED double u[LANES_MAX], v[LANES_MAX];
+    const uint32_t whole = lanes_whole(n);
+
+    if (g->cell[0] > 0.0 || g->cell[1] > 0.0)
+        jitter(g, k, draw, at, whole, u, v);
+    else
+        for (uint32_t i = 0; i < whole; i++) {
+            u[i] = g->points[k].u;
+            v[i] = g->points[k].v;
+        }
+    for (uint32_t i = 0; g->rounded && i < n; i++)
+        round_off(&u[i], &v[i]);
+    if (!(l->flags & LIGHT_ORIENT)) {
+        move_along(l->area.axes, u, v, whole, move);
+        return;
+    }
+    for (uint32_t i = 0; i < n; i++) {
+        pov_vec3 axes[2];
+
+        turn(l, pov_unit(lanes_at(to, i)), axes);
+        lanes_put(move, i, pov_add(pov_scale(axes[0], u[i]), pov_scale(axes[1], v[i])));
+    }
+}
+
+/* The light's position along one axis, moved. */
+SIMD_CLONES static void move_origins(double position, double position_lo, const double *restrict move, uint32_t n, double *restrict from,
+                                     double *restrict from_lo)
+{
+    for (uint32_t i = 0; i < n; i++) {
+        const pov_two q = pov_two_add(pov_two_of(position, position_lo), pov_two_of(move[i], 0.0));
+
+        from[i] = q.hi;
+        from_lo[i] = q.lo;
+    }
+}
+
+static void find_ends(const light *l, const vec_lanes *move, uint32_t n, light_origin *ends)
+{
+    const uint32_t whole = lanes_whole(n);
+    const pov_vec3 p = l->position, p_lo = l->position_lo;
+    vec_lanes from, from_lo;
+
+    move_origins(p.x, p_lo.x, move->x, whole, from.x, from_lo.x);
+    move_origins(p.y, p_lo.y, move->y, whole, from.y, from_lo.y);
+    move_origins(p.z, p_lo.z, move->z, whole, from.z, from_lo.z);
+    for (uint32_t i = 0; i < n; i++) {
+        ends[i].from = lanes_at(&from, i);
+        ends[i].from_lo = lanes_at(&from_lo, i);
+    }
+}
+
+/* Lanes put close together, one or more: what fills up a vector is the first. */
+static void pick(const vec_lanes *from, const uint8_t *lanes, uint32_t count, vec_lanes *out)
+{
+    uint32_t n = 0;
+
+    do
+        lanes_put(out, n, lanes_at(from, lanes[n < count ? n : 0]));
+    while (++n < lanes_whole(count));
+}
+
+/* The same for the first lanes. */
+static void aim_first(const light *l, const light_grid *g, uint32_t k, uint32_t draw, const light_points *at, const vec_lanes *to,
+                      uint32_t count, vec_lanes *dir, vec_lanes *move)
+{
+    const light_origin middle = light_own_origin(l);
+
+    find_moves(l, g, k, draw, at->point, to, count, move);
+    if (has_beams(l)) {
+        light_aim(&middle, at, dir);
+        for (uint32_t i = 0; i < count; i++)
+            lanes_put(dir, i, against_beam(l, lanes_at(dir, i), lanes_at(move, i)));
+        return;
+    }
+    for (uint32_t i = 0; i < lanes_whole(count); i++) {
+        dir->x[i] = to->x[i] + move->x[i];
+        dir->y[i] = to->y[i] + move->y[i];
+        dir->z[i] = to->z[i] + move->z[i];
+    }
 }
 
 void grid_aim(const light *l, const light_grid *g, uint32_t k, uint32_t draw, const light_points *at, const vec_lanes *to,
               const uint8_t *lanes, uint32_t count, vec_lanes *dir, light_origin *ends)
 {
-    const bool beams = has_beams(l);
-    const light_origin middle = light_own_origin(l);
-    vec_lanes to_middle;
+    vec_lanes point, point_lo, some, found, move;
+    const light_points picked = { &point, &point_lo, lanes_whole(count) };
 
-    if (beams)
-        light_aim(&middle, at, &to_middle);
-    for (uint32_t n = 0; n < count; n++) {
-        const uint32_t i = lanes ? lanes[n] : n;
-        const pov_vec3 move = move_of(l, g, k, draw, lanes_at(at->point, i), lanes_at(to, i));
-
-        lanes_put(dir, i, beams ? against_beam(l, lanes_at(&to_middle, i), move) : pov_add(lanes_at(to, i), move));
-        if (ends)
-            ends[n] = moved_origin(l, move);
+    if (!lanes) {
+        aim_first(l, g, k, draw, at, to, count, dir, &move);
+    } else {
+        pick(at->point, lanes, count, &point);
+        pick(to, lanes, count, &some);
+        if (has_beams(l))
+            pick(at->point_lo, lanes, count, &point_lo);
+        aim_first(l, g, k, draw, &picked, &some, count, &found, &move);
+        for (uint32_t n = 0; n < count; n++)
+            lanes_put(dir, lanes[n], lanes_at(&found, n));
     }
+    if (ends)
+        find_ends(l, &move, count, ends);
 }
 
 light_origin grid_origin(const light *l, const light_grid *g, uint32_t k)
