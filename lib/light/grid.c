@@ -43,15 +43,17 @@ static void round_off(double *u, double *v)
 
 static double along(uint32_t i, uint32_t count) { return count > 1 ? (double)i / (double)(count - 1) - 0.5 : 0.0; }
 
-/* The points that the scene says. Those that jitter do so by half a step to both sides. */
+/* The points that the scene says. Those that jitter do so by half a step to both sides. The square that becomes a disc is a
+ * little off the middle, as in POV-Ray. */
 static void place_points(light_grid *g, const light *l)
 {
     const uint32_t *counts = l->area.counts, first[2] = { 0, 0 }, last[2] = { counts[0] - 1, counts[1] - 1 };
     const bool jitters = (l->flags & LIGHT_JITTER) != 0;
+    const double aside = g->rounded ? 1.0 / 1000.0 : 0.0;
 
     for (uint32_t k = 0; k < g->count; k++) {
-        g->points[k].u = along(k % counts[0], counts[0]);
-        g->points[k].v = along(k / counts[0], counts[1]);
+        g->points[k].u = along(k % counts[0], counts[0]) + aside;
+        g->points[k].v = along(k / counts[0], counts[1]) + aside;
         if (g->rounded && !jitters)
             round_off(&g->points[k].u, &g->points[k].v);
     }
