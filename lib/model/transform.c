@@ -402,3 +402,12 @@ void transform_point(const pov_affine *map, pov_vec3 p, pov_vec3 *hi, pov_vec3 *
     *hi = pov_vec3_of(r[0].hi, r[1].hi, r[2].hi);
     *lo = pov_vec3_of(r[0].lo, r[1].lo, r[2].lo);
 }
+
+pov_vec3 transform_direction(const pov_affine *map, pov_vec3 d)
+{
+    pov_vec3 at, at_lo, from, from_lo;
+
+    transform_point(map, d, &at, &at_lo);
+    transform_point(map, pov_vec3_of(0.0, 0.0, 0.0), &from, &from_lo);
+    return pov_add(pov_sub(at, from), pov_sub(at_lo, from_lo));
+}

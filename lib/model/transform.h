@@ -44,6 +44,8 @@ const void *transform_compose_packed(const void *at, const void *end, pov_affine
 
 /* The point, mapped and rounded once into two parts. */
 void transform_point(const pov_affine *map, pov_vec3 p, pov_vec3 *hi, pov_vec3 *lo);
+/* Where it takes a direction. */
+pov_vec3 transform_direction(const pov_affine *map, pov_vec3 d);
 
 /* Sine and cosine of an angle in degrees, each in double-double: s[2], c[2], relative error below 2^-98. */
 void transform_sincos(double degrees, double *s, double *c);

@@ -155,13 +155,16 @@ FOG_OCTAVES(octaves)
 FOG_OCTAVES(lambda)
 FOG_OCTAVES(omega)
 
-/* It fills all space: nothing moves it. */
-static void move_nothing(pov_reader *in, void *self, keyword_id keyword)
+/* It fills all space: what moves is where its top is. */
+static void move_fog(pov_reader *in, void *self, keyword_id keyword)
 {
-    const transform *unused = NULL;
+    fog *f = self;
+    const transform *moves = NULL;
+    pov_affine m;
 
-    (void)self;
-    parse_transform(in, &unused, keyword);
+    parse_transform(in, &moves, keyword);
+    if (!in->failed && moves && transform_compose(moves, &m))
+        f->up = pov_unit(transform_direction(&m, f->up));
 }
 
 static void take_fog(pov_reader *in, void *self, const value *v)
@@ -183,7 +186,7 @@ static void read_fog_items(pov_reader *in, fog *f)
         { KEYWORD_FOG_TYPE, read_fog_number },   { KEYWORD_DISTANCE, read_fog_number }, { KEYWORD_FOG_OFFSET, read_fog_number },
         { KEYWORD_FOG_ALT, read_fog_number },    { KEYWORD_TURB_DEPTH, read_fog_number }, { KEYWORD_TURBULENCE, read_fog_turbulence },
         { KEYWORD_UP, read_fog_up },             { KEYWORD_OCTAVES, fog_octaves },     { KEYWORD_LAMBDA, fog_lambda },
-        { KEYWORD_OMEGA, fog_omega },            PARSE_MOVES(move_nothing),
+        { KEYWORD_OMEGA, fog_omega },            PARSE_MOVES(move_fog),
     };
     static const item_list list = { "an item of the fog", ITEMS(items), NULL, NULL, NULL, VALUE_FOG, take_fog };
 
@@ -291,7 +294,7 @@ const rainbow *parse_rainbow_node(pov_reader *in)
         { KEYWORD_DISTANCE, read_rainbow_number },  { KEYWORD_ARC_ANGLE, read_rainbow_number },
         { KEYWORD_FALLOFF_ANGLE, read_rainbow_number }, { KEYWORD_DIRECTION, read_rainbow_axis },
         { KEYWORD_UP, read_rainbow_axis },          { KEYWORD_COLOR_MAP, read_rainbow_map },
-        { KEYWORD_COLOUR_MAP, read_rainbow_map },   PARSE_MOVES(move_nothing),
+        { KEYWORD_COLOUR_MAP, read_rainbow_map },
     };
     static const keyword_id quiet[] = { KEYWORD_JITTER, KEYWORD_OTHER };
     static const item_list list = { "an item of the rainbow", ITEMS(items), quiet, NULL, NULL, VALUE_RAINBOW, take_rainbow };

@@ -170,16 +170,6 @@ static bool add_leaf(pov_reader *in, const object_parsed *o, const around *a, no
     return !in->failed;
 }
 
-/* Where the map takes a direction. */
-static pov_vec3 move_direction(const pov_affine *m, pov_vec3 d)
-{
-    pov_vec3 at, at_lo, from, from_lo;
-
-    transform_point(m, d, &at, &at_lo);
-    transform_point(m, pov_vec3_of(0.0, 0.0, 0.0), &from, &from_lo);
-    return pov_add(pov_sub(at, from), pov_sub(at_lo, from_lo));
-}
-
 static void move_light(light *l, const pov_affine *m, pov_vec3 *point_at)
 {
     pov_vec3 low;
@@ -187,7 +177,7 @@ static void move_light(light *l, const pov_affine *m, pov_vec3 *point_at)
     transform_point(m, *point_at, point_at, &low);
     transform_point(m, l->position, &l->position, &l->position_lo);
     for (int i = 0; i < 2; i++)
-        l->area.axes[i] = move_direction(m, l->area.axes[i]);
+        l->area.axes[i] = transform_direction(m, l->area.axes[i]);
 }
 
 /* through: the first leaf of what it is projected through; those to the last are that. */

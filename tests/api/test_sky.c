@@ -157,6 +157,21 @@ static void rainbows_filter_and_end_at_a_right_angle(void **state)
     assert_seen("3.7", body, 1.0, 1.0, 1.0);
 }
 
+#define LAYER "fog { distance 1 fog_type 2 fog_alt 1 "
+#define CEILING " colour rgb 0 } plane { -y, -1 pigment { rgb 1 } finish { ambient 1 diffuse 0 } }"
+
+static void what_moves_a_fog_turns_its_top(void **state)
+{
+    const double up = exp(-atan(1.0) * sqrt(2.0)), down = exp(-sqrt(2.0));
+
+    (void)state;
+    assert_seen("3.7", LAYER "translate 5*y scale 2" CEILING, up, up, up);
+    assert_seen("3.7", LAYER "rotate 180*x" CEILING, down, down, down);
+    assert_seen("3.7", LAYER "scale <1, -1, 1>" CEILING, down, down, down);
+    assert_seen("3.7", LAYER "up -y rotate 180*x" CEILING, up, up, up);
+    assert_seen("3.7", LAYER "rotate 180*x up y" CEILING, up, up, up);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -170,6 +185,7 @@ int main(void)
         cmocka_unit_test(rainbows_filter_and_end_at_a_right_angle),
         cmocka_unit_test(a_way_across_what_is_not_seen_is_one),
         cmocka_unit_test(the_arc_of_a_rainbow_limits_what_its_distance_leaves),
+        cmocka_unit_test(what_moves_a_fog_turns_its_top),
         cmocka_unit_test(the_last_sky_counts_and_emission_scales_its_own_light),
     };
 
