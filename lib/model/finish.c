@@ -13,6 +13,8 @@ void finish_init(finish *f)
     f->written = 1.0f;
     f->refraction = 1.0f;
     f->reflection.falloff = f->reflection.exponent = 1.0f;
+    f->old_ior = -1.0;
+    f->old_caustics = -1.0f;
 }
 
 static bool reflection_equal(const reflection *a, const reflection *b)

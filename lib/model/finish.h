@@ -28,10 +28,12 @@ typedef struct finish {
     bool conserve_energy;        /* what is reflected is not transmitted */
     irid irid;
     reflection reflection;
+    double old_ior;              /* what old scenes say here of the interior; below 0: nothing */
+    float old_caustics;
 } finish;
 
 /* The defaults of the language: ambient 0.1, diffuse 0.6, phong_size 40, roughness 0.05; 1 for brilliance, refraction,
- * falloff and exponent; all else 0. */
+ * falloff and exponent, -1 for what belongs to the interior; all else 0. */
 void finish_init(finish *f);
 bool finish_equal(const finish *a, const finish *b);
 

@@ -148,6 +148,9 @@ void parse_pigment(pov_reader *in, surface_parsed *s);
 void parse_surface_colour(pov_reader *in, surface_parsed *s, const pigment *p);
 void parse_normal(pov_reader *in, surface_parsed *s);
 void parse_finish(pov_reader *in, surface_parsed *s);
+/* Does the finish of the upper texture say what belongs to the interior? Then that counts, whatever the interior says. */
+bool parse_finish_is_old(const surface_parsed *s);
+void parse_finish_settle(surface_parsed *s);
 void parse_texture(pov_reader *in, surface_parsed *s);
 void parse_interior(pov_reader *in, surface_parsed *s);
 void parse_interior_texture(pov_reader *in, surface_parsed *s);

@@ -33,6 +33,8 @@ static void find_surface(const pov_reader *in, const object_parsed *o, const aro
         if (!own.given && s->material.interior.given)
             found->material.interior = s->material.interior;
     }
+    if (parse_finish_is_old(found))
+        parse_finish_settle(found);
 }
 
 /* The first of a list of transformations, without the last few. */
@@ -259,8 +261,9 @@ static bool add_group(pov_reader *in, const object_parsed *o, const around *a, n
     cutaway_list list;
     const bool cuts_away = parse_cutaway_begin(in, o, &list);
     const uint32_t leaf = (uint32_t)in->model->leaves.count;
-    const group_node shape = { .op = o->op, .inverse = (o->flags & LEAF_INVERSE) != 0, .united = parse_surface_of(o)->material.interior.given,
-                               .line = o->leaf.line, .column = o->leaf.column };
+    const surface_parsed *own = parse_surface_of(o);
+    const group_node shape = { .op = o->op, .inverse = (o->flags & LEAF_INVERSE) != 0,
+                               .united = own->material.interior.given || parse_finish_is_old(own), .line = o->leaf.line, .column = o->leaf.column };
     node_list children = { NULL, 0, 0 };
     node_ref child;
 

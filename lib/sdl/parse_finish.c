@@ -185,16 +185,33 @@ static void take_finish(pov_reader *in, void *self, const value *v)
 /* Old scenes have here what is the interior's now. */
 static void read_old_ior(pov_reader *in, void *self, keyword_id keyword)
 {
-    surface_parsed *s = self;
-    const place at = in->last;
-    double ior = value_number(in);
-
     (void)keyword;
-    report_warn(in, &at, "\"ior\" belongs in the \"interior\"");
-    if (!(ior > 0.0))
-        return;
-    s->material.interior.given = true;
-    s->material.interior.ior = ior;
+    report_warn(in, &in->last, "\"ior\" belongs in the \"interior\"");
+    ((surface_parsed *)self)->material.finish.old_ior = value_number(in);
+}
+
+static void read_old_caustics(pov_reader *in, void *self, keyword_id keyword)
+{
+    (void)keyword;
+    report_warn(in, &in->last, "\"caustics\" belong in the \"interior\", as a 45th of this number");
+    ((surface_parsed *)self)->material.finish.old_caustics = value_float(in) / 45.0f;
+}
+
+bool parse_finish_is_old(const surface_parsed *s)
+{
+    return s->has_look && (s->material.finish.old_ior >= 0.0 || s->material.finish.old_caustics >= 0.0f);
+}
+
+void parse_finish_settle(surface_parsed *s)
+{
+    const finish *f = &s->material.finish;
+    interior *i = &s->material.interior;
+
+    i->given = true;
+    if (f->old_ior >= 0.0)
+        i->ior = f->old_ior > 0.0 ? f->old_ior : 1.0;
+    if (f->old_caustics >= 0.0f)
+        i->caustics = f->old_caustics;
 }
 
 static void read_old_refraction(pov_reader *in, void *self, keyword_id keyword)
@@ -226,7 +243,7 @@ static void read_subsurface(pov_reader *in, void *self, keyword_id keyword)
 
 const keyword_id parse_finish_coming[] = { KEYWORD_OTHER };
 
-static const keyword_id finish_old[] = { KEYWORD_CAUSTICS, KEYWORD_FADE_DISTANCE, KEYWORD_FADE_POWER, KEYWORD_OTHER };
+static const keyword_id finish_old[] = { KEYWORD_FADE_DISTANCE, KEYWORD_FADE_POWER, KEYWORD_OTHER };
 
 /* Albedos are fractions of all light from everywhere that is reflected. */
 static void resolve_albedos(surface_parsed *s)
@@ -249,7 +266,7 @@ static void resolve_albedos(surface_parsed *s)
 
 void parse_finish(pov_reader *in, surface_parsed *s)
 {
-    static const item items[] = { PARSE_FINISH_ROWS(parse_finish_item, parse_finish_reflection), { KEYWORD_IRID, read_irid }, { KEYWORD_SUBSURFACE, read_subsurface }, { KEYWORD_IOR, read_old_ior },
+    static const item items[] = { PARSE_FINISH_ROWS(parse_finish_item, parse_finish_reflection), { KEYWORD_IRID, read_irid }, { KEYWORD_SUBSURFACE, read_subsurface }, { KEYWORD_IOR, read_old_ior }, { KEYWORD_CAUSTICS, read_old_caustics },
                                   { KEYWORD_REFRACTION, read_old_refraction } };
     static const item_list list = { "an item of the finish", ITEMS(items), finish_old, NULL, parse_finish_coming,
                                     VALUE_FINISH, take_finish };

@@ -37,11 +37,19 @@ static void read_max_trace_level(pov_reader *in, void *self, keyword_id keyword)
     in->model->max_trace_level = (int)level;
 }
 
+/* Weights are floats: one that is below the number is below this, too. */
+static double float_above(double number)
+{
+    const float near = (float)number;
+
+    return (double)((double)near < number ? nextafterf(near, HUGE_VALF) : near);
+}
+
 static void read_adc_bailout(pov_reader *in, void *self, keyword_id keyword)
 {
     (void)self;
     (void)keyword;
-    in->model->adc_bailout = value_number(in);
+    in->model->adc_bailout = float_above(value_number(in));
 }
 
 static void read_assumed_gamma(pov_reader *in, void *self, keyword_id keyword)

@@ -147,6 +147,32 @@ static void dispersed_colours_are_turned_back_one_by_one(void **state)
                 0.7469, 0.75, 0.7481);
 }
 
+/* Of nothing in front, and white behind, through a sphere of the ior 1.5: what two surfaces let through. */
+#define GLASS "finish { ambient 0 diffuse 0 reflection { 1 fresnel } conserve_energy ior 1.5 } "
+#define WHITE "background { rgb 0 } plane { -z, -5 pigment { rgb 1 } finish { ambient 1 diffuse 0 } } "
+
+static void old_finishes_say_what_is_inside(void **state)
+{
+    const double seen = 0.9216 / (1.0 - 0.0016);
+
+    (void)state;
+    assert_seen(WHITE "sphere { 0, 1 pigment { rgbt 1 } " GLASS "}", seen, seen, seen);
+    assert_seen(WHITE "sphere { 0, 1 pigment { rgbt 1 } " GLASS "interior { ior 1.1 } }", seen, seen, seen);
+    assert_seen(WHITE "#declare F = " GLASS "sphere { 0, 1 pigment { rgbt 1 } finish { F } }", seen, seen, seen);
+    assert_seen(WHITE "#declare T = texture { pigment { rgbt 1 } " GLASS "} sphere { 0, 1 texture { T } }", seen, seen, seen);
+    assert_seen(WHITE "union { sphere { 0, 1 } sphere { 5*x, 1 } pigment { rgbt 1 } " GLASS "interior { ior 1.1 } }", seen, seen, seen);
+    assert_seen(WHITE "#declare S = sphere { 0, 1 pigment { rgbt 1 } " GLASS "} object { S texture { pigment { rgbt 1 } } }", 1.0, 1.0, 1.0);
+    assert_seen(WALL("-20") "disc { 0, <sqrt(3), 0, 1>, 2 pigment { rgbt 1 } finish { ambient 0 diffuse 0 caustics 1 } }", 1.5, 1.5, 1.5);
+}
+
+/* As it was written: in floats .9 is less than that. */
+static void a_weight_of_the_bailout_itself_is_below_it_where_its_float_is(void **state)
+{
+    (void)state;
+    assert_seen("global_settings { adc_bailout .9 } sphere { 0, 1 finish { ambient 0 diffuse 0 reflection .9 } }", 0.0, 0.0, 0.0);
+    assert_seen("global_settings { adc_bailout .1 } sphere { 0, 1 finish { ambient 0 diffuse 0 reflection .1 } }", 0.1, 0.1, 0.1);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -159,6 +185,8 @@ int main(void)
         cmocka_unit_test(hidden_objects_are_passed),
         cmocka_unit_test(light_fades_over_all_of_a_way_across_what_is_not_seen),
         cmocka_unit_test(white_light_is_dispersed_into_its_colours),
+        cmocka_unit_test(old_finishes_say_what_is_inside),
+        cmocka_unit_test(a_weight_of_the_bailout_itself_is_below_it_where_its_float_is),
         cmocka_unit_test(dispersed_colours_are_turned_back_one_by_one),
     };
 
