@@ -192,35 +192,45 @@ static veil media_veil(shade_context *c, const path *p, const segment *s)
     const media_segment on = { pov_add(s->from, pov_scale(s->dir, p->travelled)), s->dir, ends ? s->length - p->travelled : endless };
     veil v = clear;
 
-    if (c->scene->plan->media && (p->gathers == 0 || c->scene->model->radiosity.sees_media))
-        haze_cross(c, p, &on, ends, &v.by, &v.given);
+    haze_cross(c, p, &on, ends, &v.by, &v.given);
     return v;
 }
 
-static segment segment_at(const air_segments *on, uint32_t i)
+/* There are no media that radiosity does not see. */
+static bool sees_media(const shade_context *c, const path *p)
 {
-    const segment s = { lanes_at(&on->on.from, i), lanes_at(&on->on.dir, i), on->on.length[i] };
-
-    return s;
+    return c->scene->plan->media && (p->gathers == 0 || c->scene->model->radiosity.sees_media);
 }
 
-/* Fog lies over rainbows, and both over media. There are neither in solids, and none that radiosity sees. */
-static veil veil_of(shade_context *c, const air_segments *on, uint32_t i)
+/* Fog lies over rainbows, and both over media. There are neither in solids, nor for radiosity, nor before what is not seen. */
+static veil veil_of(shade_context *c, const air_segments *on, uint32_t i, bool seen)
 {
     const path *p = on->path[i];
-    const segment s = segment_at(on, i);
-    const veil near = media_veil(c, p, &s);
     const fog_veils *f = &on->fogs;
-    const veil fogs = { colour_at(f->by[0], f->by[1], f->by[2], i), colour_at(f->given[0], f->given[1], f->given[2], i) };
+    const bool open = seen && p->solids == 0 && p->gathers == 0, bows = open && c->scene->model->rainbows.count > 0;
+    const bool hazy = sees_media(c, p);
+    veil v = clear;
 
-    return p->solids > 0 || p->gathers > 0 ? near : veil_before(fogs, veil_before(all_rainbows(c->scene, &s), near));
+    if (bows || hazy) {
+        const segment s = { lanes_at(&on->on.from, i), lanes_at(&on->on.dir, i), on->on.length[i] };
+
+        if (hazy)
+            v = media_veil(c, p, &s);
+        if (bows)
+            v = veil_before(all_rainbows(c->scene, &s), v);
+    }
+    if (open) {
+        const veil fogs = { colour_at(f->by[0], f->by[1], f->by[2], i), colour_at(f->given[0], f->given[1], f->given[2], i) };
+
+        v = veil_before(fogs, v);
+    }
+    return v;
 }
 
 void air_cross(shade_context *c, const air_segments *s, uint32_t i, bool seen, path *dimmed, colour *out)
 {
     const path *p = s->path[i];
-    const segment so_far = segment_at(s, i);
-    const veil v = seen ? veil_of(c, s, i) : media_veil(c, p, &so_far);
+    const veil v = veil_of(c, s, i, seen);
 
     *dimmed = *p;
     dimmed->factor.by = colour_mul(p->factor.by, v.by);
@@ -361,7 +371,7 @@ void air_background(shade_context *c, const batch *b, uint64_t rays, colour *out
     for (; rays; rays &= rays - 1, k++) {
         const uint32_t i = first_of64(rays);
         const path *p = &b->paths[i];
-        const veil v = c->scene->dims ? veil_of(c, &on, k) : clear;
+        const veil v = c->scene->dims ? veil_of(c, &on, k, true) : clear;
 
         accumulate(p, colour_add(colour_mul(v.by, seen[i].seen), v.given), out);
         if (c->alpha)
