@@ -37,6 +37,7 @@ static void fill_fast(shape_class *out, const pov_shape_fast *from)
     out->hull = f.hull;
     out->outline = f.outline;
     out->intersect_between = f.intersect_between;
+    out->intersect_between_many = f.intersect_between_many;
     out->narrow = f.narrow;
 }
 

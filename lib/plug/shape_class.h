@@ -43,6 +43,7 @@ typedef struct shape_class {
     bool (*half_space)(const void *self, pov_half_space *out);
     uint32_t (*hull)(const void *self, const pov_half_space *within, uint32_t n, pov_half_space *out);
     void (*intersect_between)(const void *self, const pov_ray *ray, pov_hits *hits);
+    void (*intersect_between_many)(const void *const *selves, const pov_ray *const *rays, pov_hits *const *hits, uint32_t n);
     bool (*outline)(const void *self, pov_outline *out);
     uint32_t (*narrow)(const void *self, const pov_own_map *map, uint32_t owner, const pov_rays *rays, pov_candidate *io, uint32_t n);
 } shape_class;

@@ -48,7 +48,7 @@ static void defer(packet *p, const leaf_batch *r, const pov_candidate *m)
     SIMD_PREFETCH(leaf_batch_instance(r, m->lane));
 }
 
-/* Possible hits of a batch with a single shape, so that no ray occurs twice. */
+/* Possible hits of one shape, so that no ray occurs twice. */
 static void ask_open(packet *p, const leaf_batch *r, pairs *open, const xform_batch *instanced, const uint8_t *lanes)
 {
     uint32_t i;
@@ -58,6 +58,7 @@ static void ask_open(packet *p, const leaf_batch *r, pairs *open, const xform_ba
     for (i = 0; i < open->count; i++)
         if (open->hits[i]->tmax < p->traversal.limit[lanes[i]])
             lower(p, lanes[i], open->hits[i]->tmax);
+    open->count = 0;
 }
 
 /* Most leaves are one batch, and this is most of what is done with them. */
@@ -88,6 +89,14 @@ SIMD_INLINE void filter(packet *p, const leaf_batch *r, uint64_t lanes)
             hits->owner = r->object[0];
             ray = own_ray(p->context, &instanced, leaf_batch_xform(r), ray, p->of[m->ray], hits->owner);
             pairs_put(&open, r->instances, ray, hits);
+        } else if (r->shape == &csg_class) {
+            const void *tree = leaf_batch_instance(r, m->lane);
+
+            if (open.count > 0 && open.selves[0] != tree)
+                ask_open(p, r, &open, &instanced, open_lanes);
+            open_lanes[open.count] = (uint8_t)m->ray;
+            hits_of(p, m->ray)->owner = r->object[m->lane];
+            pairs_put(&open, tree, ray, &p->hits[m->ray]);
         } else {
             ask_one(p, m->ray, r, m->lane);
         }

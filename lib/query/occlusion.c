@@ -107,6 +107,44 @@ static uint64_t take_instanced(packet *p, const leaf_batch *r, uint32_t n, uint6
     return ended;
 }
 
+/* Rays that may hit one tree of shapes, so that none occurs twice. Returns the lanes whose paths end here. */
+static uint64_t ask_tree(packet *p, const leaf_batch *r, pairs *open, const uint8_t *lanes, bool blocks)
+{
+    uint64_t ended = 0;
+
+    if (open->count > 0)
+        pairs_ask(p->context, r->shape, leaf_batch_class(r), open, false);
+    for (; blocks && open->count > 0; open->count--)
+        ended |= open->hits[open->count - 1]->count > 0 ? bit_of(lanes[open->count - 1]) : 0;
+    open->count = 0;
+    return ended;
+}
+
+/* The first n possible hits of a batch of trees, whose rays are asked side by side. */
+static uint64_t take_trees(packet *p, const leaf_batch *r, uint32_t n, uint64_t ended)
+{
+    const pov_candidate *m = p->candidates;
+    uint8_t lanes[WORLD_MANY];
+    pairs open;
+
+    open.count = 0;
+    for (uint32_t lane = m->lane; n > 0; lane = m->lane, m++, n--) {
+        bool blocks;
+        pov_hits *hits;
+
+        if (m->lane != lane)
+            ended |= ask_tree(p, r, &open, lanes, p->any_blocks || (r->opaque >> lane & 1));
+        if ((ended >> m->ray & 1) || !is_open(p, r, m))
+            continue;
+        blocks = p->any_blocks || (r->opaque >> m->lane & 1);
+        hits = blocks ? &p->hits[m->ray] : &p->filter_hits[m->ray];
+        hits->owner = r->object[m->lane];
+        lanes[open.count] = m->ray;
+        pairs_put(&open, leaf_batch_instance(r, m->lane), p->rays[m->ray], hits);
+    }
+    return ended | ask_tree(p, r, &open, lanes, p->any_blocks || (r->opaque >> m[-1].lane & 1));
+}
+
 static uint64_t filter(packet *p, const leaf_batch *r, uint64_t lanes)
 {
     const pov_candidate *const m = p->candidates;
@@ -119,6 +157,8 @@ static uint64_t filter(packet *p, const leaf_batch *r, uint64_t lanes)
         ended |= (uint64_t)is_blocked(r, &m[i], blocking, p->rays[m[i].ray]) << m[i].ray;
     if (n > 1 && (r->flags & LEAF_INSTANCED) && !p->from)
         return ended | take_instanced(p, r, n, ended);
+    if (n > 1 && r->shape == &csg_class && !p->from)
+        return take_trees(p, r, n, ended);
     for (i = 0; i < n; i++)
         if (!(ended >> m[i].ray & 1) && is_open(p, r, &m[i]))
             ended |= (uint64_t)ask_some(p, m[i].ray, r, 1u << m[i].lane) << m[i].ray;

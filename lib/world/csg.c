@@ -259,5 +259,6 @@ const shape_class csg_class = {
     .block_size = sizeof(csg_block),
     .block_pack = csg_pack,
     .block_filter = csg_filter,
+    .intersect_many = csg_intersect_many,
     .cross_many = csg_cross_many,
 };

@@ -170,6 +170,7 @@ void csg_scratch_free(csg_scratch *s);
 
 /* The functions of the class. */
 void csg_intersect(const void *self, const pov_ray *ray, pov_hits *hits);
+void csg_intersect_many(const void *const *selves, const pov_ray *const *rays, pov_hits *const *hits, uint32_t n);
 bool csg_inside(const void *self, pov_vec3 point, pov_vec3 point_lo);
 /* Several rays of trees that have chords and stand in a block. Of a definite hit a candidate's note says which crossing it is:
  * csg_cross_many() asks for that alone. */

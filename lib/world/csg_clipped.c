@@ -3,6 +3,7 @@
  * an intersection, it is one of theirs for a ray that is inside the surface as it enters them, or until it leaves them. Where
  * crossings are too close for doubles, and where more than the first is wanted, csg_intersect.c has the rules. */
 #include "world/csg_traversal.h"
+#include "world/internal.h"
 
 /* Crossings of the surface are looked for a little beyond the clips. */
 static const double beside = 0x1p-41;
@@ -93,24 +94,38 @@ static void begin(clip_search *s, csg_traversal *w)
     s->unsure = false;
 }
 
-/* Crossings of a member between two distances, into `at`: all, or the first of them. */
+/* For crossings of a member between two distances, into `at`: all, or the first of them. */
+static pov_hits hits_between(clip_search *s, const csg_member *m, double from, double to, pov_want want, const pov_hits *hits)
+{
+    const pov_hits found = { .tmin = from, .tmax = to, .want = want, .at = s->at, .capacity = CROSSINGS, .grow = csg_no_more,
+                             .user = hits->user, .scratch = hits->scratch, .owner = s->w->scratch->names + m->leaf };
+
+    return found;
+}
+
+/* Counts them; returns how many there are. */
+static uint32_t note(clip_search *s, const csg_member *m, const pov_hits *found)
+{
+    class_counts *classes = s->w->scratch->classes;
+
+    if (classes) {
+        classes->of[m->class_number].asked++;
+        classes->of[m->class_number].escalated += found->escalated;
+    }
+    s->escalated += found->escalated;
+    s->unsure = s->unsure || found->count == CROSSINGS;
+    for (uint32_t i = 0; i < found->count; i++)
+        s->unsure = s->unsure || s->at[i].t * s->w->dir <= CSG_SEPARATION * s->w->size;
+    return found->count;
+}
+
 static uint32_t intersect(clip_search *s, const csg_member *m, const pov_ray *own, double from, double to, pov_want want,
                           const pov_hits *hits)
 {
-    pov_hits found = { .tmin = from, .tmax = to, .want = want, .at = s->at, .capacity = CROSSINGS, .grow = csg_no_more,
-                       .user = hits->user, .scratch = hits->scratch, .owner = s->w->scratch->names + m->leaf };
-    class_counts *classes = s->w->scratch->classes;
+    pov_hits found = hits_between(s, m, from, to, want, hits);
 
     (m->shape->intersect_between ? m->shape->intersect_between : m->shape->intersect)(m->instance, own, &found);
-    if (classes) {
-        classes->of[m->class_number].asked++;
-        classes->of[m->class_number].escalated += found.escalated;
-    }
-    s->escalated += found.escalated;
-    s->unsure = s->unsure || found.count == CROSSINGS;
-    for (uint32_t i = 0; i < found.count; i++)
-        s->unsure = s->unsure || s->at[i].t * s->w->dir <= CSG_SEPARATION * s->w->size;
-    return found.count;
+    return note(s, m, &found);
 }
 
 /* Crossings at two distances: is the second one farther? Where that is open the answer does not matter. */
@@ -170,14 +185,11 @@ static bool is_enough(const csg_clipped *c, const pov_crossing *at, const pov_hi
     return hits->want == POV_WANT_ANY && (!c->shown || at->t < hits->tmax - hits->slack);
 }
 
-/* Does the ray enter the solid there? False: the slope is too small to tell. */
-static bool find_side(const csg_member *m, const pov_ray *own, const pov_crossing *at, bool *enters)
+/* By the normal, does the ray enter the solid? False: the slope is too small to tell. */
+static bool find_side(const csg_member *m, const pov_ray *own, const pov_vec3 *normal, bool *enters)
 {
-    double slope;
-    pov_vec3 normal;
+    const double slope = pov_dot(*normal, own->dir);
 
-    m->shape->normal(m->instance, own, at, &normal);
-    slope = pov_dot(normal, own->dir);
     *enters = (slope < 0.0) != m->turned;
     return fabs(slope) > certain * pov_largest(own->dir);
 }
@@ -223,20 +235,26 @@ static bool report_clip(clip_search *s, pov_hits *hits)
     return true;
 }
 
-/* Of ends that are off nothing lies outside of them, and no crossing counts but the first. False: open. */
-static bool find_between(clip_search *s, double from, double to, double off, pov_hits *hits)
+/* Of ends that are off nothing lies outside of them, and no crossing counts but the first. */
+static const pov_crossing *find_first(clip_search *s, const pov_hits *found, double off)
+{
+    return first_of_surface(s, note(s, &s->w->tree->members[s->w->tree->clipped.surface], found), off);
+}
+
+static bool needs_normal(const clip_search *s, const pov_crossing *first, const pov_hits *hits)
+{
+    return !s->unsure && first && !is_enough(&s->w->tree->clipped, first, hits);
+}
+
+/* `first`: of the surface, or NULL; `normal`: where that is needed. False: open. */
+static bool conclude(clip_search *s, const pov_ray *own, const pov_crossing *first, const pov_vec3 *normal, double off, pov_hits *hits)
 {
     const csg_clipped *c = &s->w->tree->clipped;
     const csg_member *m = &s->w->tree->members[c->surface];
-    const pov_crossing *first;
-    const pov_ray *ray;
-    bool enters = m->turned, enough;
-    pov_ray own;
+    const bool enough = first && is_enough(c, first, hits);
+    bool enters = m->turned;
 
-    ray = ray_of(s, m, &own);
-    first = first_of_surface(s, intersect(s, m, ray, from, to, off > 0.0 ? POV_WANT_NEAREST : POV_WANT_ALL, hits), off);
-    enough = first && is_enough(c, first, hits);
-    if (s->unsure || (first && !enough && !find_side(m, ray, first, &enters)))
+    if (s->unsure || (first && !enough && !find_side(m, own, normal, &enters)))
         return false;
     hits->escalated += s->escalated;
     if (!first)
@@ -249,6 +267,24 @@ static bool find_between(clip_search *s, double from, double to, double off, pov
     }
     csg_report(first, enters, hits);
     return true;
+}
+
+static bool find_between(clip_search *s, double from, double to, double off, pov_hits *hits)
+{
+    const csg_member *m = &s->w->tree->members[s->w->tree->clipped.surface];
+    const pov_crossing *first;
+    const pov_ray *ray;
+    pov_hits found;
+    pov_vec3 normal;
+    pov_ray own;
+
+    ray = ray_of(s, m, &own);
+    found = hits_between(s, m, from, to, off > 0.0 ? POV_WANT_NEAREST : POV_WANT_ALL, hits);
+    (m->shape->intersect_between ? m->shape->intersect_between : m->shape->intersect)(m->instance, ray, &found);
+    first = find_first(s, &found, off);
+    if (needs_normal(s, first, hits))
+        m->shape->normal(m->instance, ray, first, &normal);
+    return conclude(s, ray, first, &normal, off, hits);
 }
 
 bool csg_clipped_first(csg_traversal *w, pov_hits *hits)
@@ -266,4 +302,111 @@ bool csg_clipped_first(csg_traversal *w, pov_hits *hits)
     if (!narrow_all(&s, hits))
         return !s.unsure;
     return find_between(&s, s.enter * (1.0 - beside), s.leave * (1.0 + beside), 0.0, hits);
+}
+
+/* ---- several rays ---- */
+
+/* Rays that are within all clips for certain, by the caller's number. */
+typedef struct clip_searches {
+    csg_traversal w[CSG_CLIPPED_MANY];
+    clip_search s[CSG_CLIPPED_MANY];
+    pov_ray own[CSG_CLIPPED_MANY];
+    const pov_ray *rays[CSG_CLIPPED_MANY];
+    pov_hits found[CSG_CLIPPED_MANY];
+    double off[CSG_CLIPPED_MANY];
+    pov_vec3 normal[CSG_CLIPPED_MANY];
+} clip_searches;
+
+/* Rays to the surface's own space. */
+static void to_own_space(clip_searches *all, const csg_member *m, uint32_t which, const pov_ray *const *rays)
+{
+    xform_batch instanced;
+
+    instanced.count = 0;
+    for (; which; which &= which - 1) {
+        const uint32_t i = first_of(which);
+
+        all->rays[i] = m->xform ? &all->own[i] : rays[i];
+        if (m->xform)
+            xform_batch_add(&instanced, m->xform, rays[i], &all->own[i]);
+    }
+    xform_batch_apply(&instanced);
+}
+
+static void ask_surface(clip_searches *all, const csg_member *m, uint32_t which)
+{
+    const void *selves[CSG_CLIPPED_MANY];
+    const pov_ray *rays[CSG_CLIPPED_MANY];
+    pov_hits *hits[CSG_CLIPPED_MANY];
+    uint32_t n = 0;
+
+    for (; which; which &= which - 1, n++) {
+        selves[n] = m->instance;
+        rays[n] = all->rays[first_of(which)];
+        hits[n] = &all->found[first_of(which)];
+    }
+    m->shape->intersect_between_many(selves, rays, hits, n);
+}
+
+static void ask_normals(clip_searches *all, const csg_member *m, uint32_t which, const pov_crossing *const *first)
+{
+    const void *selves[CSG_CLIPPED_MANY];
+    const pov_ray *rays[CSG_CLIPPED_MANY];
+    const pov_crossing *at[CSG_CLIPPED_MANY];
+    pov_vec3 *out[CSG_CLIPPED_MANY];
+    uint32_t n = 0;
+
+    for (uint32_t left = which; left; left &= left - 1, n++) {
+        const uint32_t i = first_of(left);
+
+        selves[n] = m->instance;
+        rays[n] = all->rays[i];
+        at[n] = first[i];
+        out[n] = &all->normal[i];
+    }
+    if (n > 0 && m->shape->normal_many)
+        m->shape->normal_many(selves, rays, at, out, n);
+    for (uint32_t i = 0; !m->shape->normal_many && i < n; i++)
+        m->shape->normal(selves[i], rays[i], at[i], out[i]);
+}
+
+uint32_t csg_clipped_many(const csg_tree *t, const pov_ray *const *rays, pov_hits *const *hits, uint32_t n)
+{
+    const csg_member *m = &t->members[t->clipped.surface];
+    const pov_crossing *first[CSG_CLIPPED_MANY];
+    uint32_t crossed = 0, nearest = 0, open = 0;
+    clip_searches all;
+
+    for (uint32_t i = 0; i < n; i++) {
+        clip_search *s = &all.s[i];
+        csg_found found;
+
+        csg_traversal_init(&all.w[i], t, rays[i], hits[i]);
+        begin(s, &all.w[i]);
+        found = narrow_by_outline(s, hits[i], &all.off[i]);
+        open |= (uint32_t)(found == CSG_OPEN) << i;
+        if (found != CSG_CROSSED)
+            continue;
+        crossed |= 1u << i;
+        all.found[i] = hits_between(s, m, fmax(s->enter - all.off[i], 0.0), s->leave + all.off[i], POV_WANT_NEAREST, hits[i]);
+    }
+    if (!crossed)
+        return open;
+    to_own_space(&all, m, crossed, rays);
+    ask_surface(&all, m, crossed);
+    for (uint32_t left = crossed; left; left &= left - 1) {
+        const uint32_t i = first_of(left);
+        clip_search *s = &all.s[i];
+
+        first[i] = find_first(s, &all.found[i], all.off[i]);
+        nearest |= (uint32_t)needs_normal(s, first[i], hits[i]) << i;
+    }
+    ask_normals(&all, m, nearest, first);
+    for (uint32_t left = crossed; left; left &= left - 1) {
+        const uint32_t i = first_of(left);
+
+        if (!conclude(&all.s[i], all.rays[i], first[i], &all.normal[i], all.off[i], hits[i]))
+            open |= 1u << i;
+    }
+    return open;
 }

@@ -3,6 +3,8 @@
  * docs/numerics.md ("Solids made of others") has the rules and derives the constants. */
 #include "world/csg_traversal.h"
 
+#include "base/simd.h"
+
 /* In the mark of a crossing of a member that clips. */
 #define APPLIED 0x04000000u
 
@@ -246,12 +248,17 @@ static bool traverse(csg_traversal *w, pov_hits *hits, bool exact)
     return enough;
 }
 
+static bool wants_first(const csg_tree *t, const pov_hits *hits)
+{
+    return !(t->open_count > 0 || hits->always_exact || hits->want == POV_WANT_ALL || hits->tmin != 0.0);
+}
+
 /* The first crossing, where that is all that is wanted. False: doubles cannot tell, or the tree is another one. */
 static bool find_first(csg_traversal *w, pov_hits *hits)
 {
     const csg_tree *t = w->tree;
 
-    if (t->open_count > 0 || hits->always_exact || hits->want == POV_WANT_ALL || hits->tmin != 0.0)
+    if (!wants_first(t, hits))
         return false;
     if (t->chords.all)
         return csg_chords_first(w, hits);
@@ -272,4 +279,32 @@ void csg_intersect(const void *self, const pov_ray *ray, pov_hits *hits)
         hits->count = count;   /* the traversal begins again */
     hits->escalated++;
     traverse(&w, hits, true);
+}
+
+/* How many of n rays a clipped surface takes together, from the first one on. */
+static uint32_t count_together(const void *const *selves, pov_hits *const *hits, uint32_t n)
+{
+    const csg_tree *t = ((const csg_root *)selves[0])->tree;
+    uint32_t some = 0;
+
+    if (!t->clipped.outlined || t->chords.all || !t->members[t->clipped.surface].shape->intersect_between_many)
+        return 0;
+    while (some < n && some < CSG_CLIPPED_MANY && selves[some] == selves[0] && wants_first(t, hits[some]))
+        some++;
+    return some;
+}
+
+void csg_intersect_many(const void *const *selves, const pov_ray *const *rays, pov_hits *const *hits, uint32_t n)
+{
+    for (uint32_t some; n > 0; n -= some, selves += some, rays += some, hits += some) {
+        uint32_t open = 1;
+
+        some = count_together(selves, hits, n);
+        if (some > 1)
+            open = csg_clipped_many(((const csg_root *)selves[0])->tree, rays, hits, some);
+        else
+            some = 1;
+        for (; open; open &= open - 1)
+            csg_intersect(selves[0], rays[first_of(open)], hits[first_of(open)]);
+    }
 }

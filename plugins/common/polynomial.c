@@ -3,6 +3,7 @@
 #include "common/bernstein.h"
 #include "common/clip.h"
 #include "common/curve.h"
+#include "common/dense.h"
 #include "common/local.h"
 
 enum { MOST = COMMON_ORDER_MAX + 1 };
@@ -149,54 +150,15 @@ COMMON_INLINE void along_of(const common_polynomial *p, int n, pov_vec3 o, pov_v
     }
 }
 
-/* s = s (o + d t), of a degree that becomes n. */
-COMMON_INLINE void lift(double *s, int n, double o, double d)
-{
-    s[n] = s[n - 1] * d;
-    COMMON_UNROLLED for (int i = n - 1; i > 0; i--)
-        s[i] = s[i] * o + s[i - 1] * d;
-    s[0] *= o;
-}
-
-/* The same of a small order, with all terms: nothing is looked up, and what is zero by its degree is left out. */
-COMMON_INLINE void dense_along(const double *c, int n, pov_vec3 o, pov_vec3 d, double *out)
-{
-    double power[5][5], y[5];
-
-    power[0][0] = 1.0;
-    COMMON_UNROLLED for (int k = 1; k <= n; k++) {
-        COMMON_UNROLLED for (int i = 0; i < k; i++)
-            power[k][i] = power[k - 1][i];
-        lift(power[k], k, o.z, d.z);
-    }
-    COMMON_UNROLLED for (int i = n; i >= 0; i--) {
-        COMMON_UNROLLED for (int j = n - i; j >= 0; j--) {
-            if (j < n - i)
-                lift(y, n - i - j, o.y, d.y);
-            else
-                y[0] = 0.0;
-            COMMON_UNROLLED for (int k = n - i - j; k >= 0; k--, c++)
-                COMMON_UNROLLED for (int l = 0; l <= k; l++)
-                    y[l] += power[k][l] * *c;
-        }
-        if (i < n)
-            lift(out, n - i, o.x, d.x);
-        else
-            out[0] = 0.0;
-        COMMON_UNROLLED for (int l = 0; l <= n - i; l++)
-            out[l] += y[l];
-    }
-}
-
 /* The loops of order 6 are unrolled. */
 static void along(const common_polynomial *p, pov_vec3 o, pov_vec3 d, double *out)
 {
     double small[7 * 7], power[MOST * MOST];
 
     switch (p->order) {
-    case 2: dense_along(p->at, 2, o, d, out); break;
-    case 3: dense_along(p->at, 3, o, d, out); break;
-    case 4: dense_along(p->at, 4, o, d, out); break;
+    case 2: common_dense_along(p->at, 2, o, d, out); break;
+    case 3: common_dense_along(p->at, 3, o, d, out); break;
+    case 4: common_dense_along(p->at, 4, o, d, out); break;
     case 6: along_of(p, 6, o, d, small, out); break;
     default: along_of(p, p->order, o, d, power, out); break;
     }
@@ -362,30 +324,11 @@ void common_polynomial_intersect_between(const void *self, const pov_ray *ray, p
 
 /* ---- points ---- */
 
-/* A number, and its slope. */
-typedef struct sloped { double value, x, y, z; } sloped;
-
-/* Horner's step in y, and in x. */
-COMMON_INLINE void take_row(sloped *y, sloped z, double at)
-{
-    y->y = y->y * at + y->value;
-    y->value = y->value * at + z.value;
-    y->z = y->z * at + z.z;
-}
-
-COMMON_INLINE void take_plane(sloped *s, sloped y, double at)
-{
-    s->x = s->x * at + s->value;
-    s->value = s->value * at + y.value;
-    s->y = s->y * at + y.y;
-    s->z = s->z * at + y.z;
-}
-
 /* The coefficient of x^i y^j: a sum of powers of z. */
-static sloped row_at(const common_polynomial *p, uint32_t row, double z)
+static common_sloped row_at(const common_polynomial *p, uint32_t row, double z)
 {
     const common_term *term = p->term + p->first[row], *end = p->term + p->first[row + 1];
-    sloped s = { 0.0, 0.0, 0.0, 0.0 };
+    common_sloped s = { 0.0, 0.0, 0.0, 0.0 };
 
     if (term == end)
         return s;
@@ -402,42 +345,28 @@ static sloped row_at(const common_polynomial *p, uint32_t row, double z)
 static double sparse_at(const common_polynomial *p, pov_vec3 at, pov_vec3 *out)
 {
     const int n = p->order;
-    sloped s = { 0.0, 0.0, 0.0, 0.0 };
+    common_sloped s = { 0.0, 0.0, 0.0, 0.0 };
 
     for (int i = p->highest_x; i >= 0; i--) {
         const uint32_t row = (uint32_t)((n - i) * (n - i + 1) / 2 + n - i);   /* of j = 0 */
-        sloped y = { 0.0, 0.0, 0.0, 0.0 };
+        common_sloped y = { 0.0, 0.0, 0.0, 0.0 };
 
         for (int j = p->highest[i]; j >= 0; j--) {
-            const sloped z = row_at(p, row - (uint32_t)j, at.z);
+            const common_sloped z = row_at(p, row - (uint32_t)j, at.z);
 
-            take_row(&y, z, at.y);
+            common_take_row(&y, z, at.y);
         }
-        take_plane(&s, y, at.x);
+        common_take_plane(&s, y, at.x);
     }
     *out = pov_vec3_of(s.x, s.y, s.z);
     return s.value;
 }
 
-/* The same of a small order, with all powers: nothing is looked up. */
+/* The same of a small order. */
 COMMON_INLINE double dense_at(const double *c, int n, pov_vec3 at, pov_vec3 *out)
 {
-    sloped s = { 0.0, 0.0, 0.0, 0.0 };
+    const common_sloped s = common_dense_at(c, n, at);
 
-    COMMON_UNROLLED for (int i = n; i >= 0; i--) {
-        sloped y = { 0.0, 0.0, 0.0, 0.0 };
-
-        COMMON_UNROLLED for (int j = n - i; j >= 0; j--) {
-            sloped z = { 0.0, 0.0, 0.0, 0.0 };
-
-            COMMON_UNROLLED for (int k = n - i - j; k >= 0; k--) {
-                z.z = z.z * at.z + z.value;
-                z.value = z.value * at.z + *c++;
-            }
-            take_row(&y, z, at.y);
-        }
-        take_plane(&s, y, at.x);
-    }
     *out = pov_vec3_of(s.x, s.y, s.z);
     return s.value;
 }

@@ -107,6 +107,8 @@ typedef struct pov_shape_fast {
     /* [render] As intersect(), where the interval comes from the scene around the shape and depends on nothing but the
      * ray: it may shorten the search, and last bits of crossings may depend on it. */
     void (*intersect_between)(const void *self, const pov_ray *ray, pov_hits *hits);
+    /* [render] As n calls of intersect_between(), bit for bit, as intersect_many(). */
+    void (*intersect_between_many)(const void *const *selves, const pov_ray *const *rays, pov_hits *const *hits, uint32_t n);
     /* [render] A closer look at candidates of an instanced shape, by its box: leaves out those that certainly pass it, narrows the
      * bounds of others, and returns how many are left. A ray whose origin_surface is `owner` starts on it. */
     uint32_t (*narrow)(const void *self, const pov_own_map *map, uint32_t owner, const pov_rays *rays, pov_candidate *io, uint32_t n);
