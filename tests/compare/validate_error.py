@@ -9,7 +9,8 @@ uniform sampling takes than adaptive to --error 0.002. The exit status is 1 if s
 
 Estimate and true error of one picture are two numbers of chance. How far the logarithm of their ratio spreads follows from
 the band; it falls with the number of pixels that share the error. It is printed, and how many rows such a spread puts
-outside: --size is to be so large that these are few. A truth that is not much better than a row adds its own error."""
+outside: --size is to be so large, or --pictures so many, that these are few. A row of several pictures, one for each seed, has
+the rms of their estimates over the rms of their true errors. A truth that is not much better than a row adds its own error."""
 import argparse
 import array
 import csv
@@ -36,6 +37,7 @@ def arguments():
     parser.add_argument('--truth', type=int, default=65536, help='samples a pixel of a reference')
     parser.add_argument('--truth-sampling', default='uniform', help='of a reference; adaptive where few pixels have the error')
     parser.add_argument('--seeds', type=int, default=1, help='pictures whose mean is a reference')
+    parser.add_argument('--pictures', type=int, default=1, help='seeds, from 0 on, whose pictures make a row together')
     parser.add_argument('--most', type=int, default=1024, help='samples a pixel of the rows')
     parser.add_argument('--large', default='320x240', help='of the pictures whose cost is compared')
     parser.add_argument('--ratio', default='0.85,1.18', help='least and largest estimate over truth in a row')
@@ -111,52 +113,73 @@ def spread(row):
     return math.log(row['est_ci95_hi'] / row['est_rmse']) / 1.96
 
 
-def chance_outside(options, row):
-    normal = statistics.NormalDist(0.0, spread(row))
+def root_mean_square(values):
+    return math.sqrt(sum(value * value for value in values) / len(values))
+
+
+def held_by(row):
+    return row['est_ci95_lo'] <= row['ref_rmse'] <= row['est_ci95_hi']
+
+
+def joint_rows(options, scene, truth, way):
+    """For each row of the report: samples, rms estimate over rms true error, and its spread, over some pictures; and whether
+    each picture's band holds. What an adaptive picture has in a row of its own at its end is left out."""
+    several = [rows_of(options, scene, options.size, '--spp', str(options.most), '--sampling', way, '--reference', str(truth),
+                       '--seed', str(seed)) for seed in range(options.pictures)]
+    for rows in zip(*several):
+        if rows[0]['spp_mean'] >= 4 and all(row['est_rmse'] for row in rows):
+            told, true = (root_mean_square([row[key] for row in rows]) for key in ('est_rmse', 'ref_rmse'))
+            deviation = root_mean_square([spread(row) for row in rows]) / math.sqrt(len(rows))
+            yield rows[0]['spp_mean'], told / true, deviation, [held_by(row) for row in rows]
+
+
+def chance_outside(options, deviation):
+    normal = statistics.NormalDist(0.0, deviation)
     return 1.0 - normal.cdf(math.log(options.highest)) + normal.cdf(math.log(options.lowest))
 
 
 def hold_rows(options, scene, truth):
-    """Rows, those outside the limits, how many of these chance explains, and how many bands held, over both ways of sampling."""
-    count = held = 0
+    """Over both ways of sampling: rows, bands, bands that held, rows that chance puts outside the limits, and those outside."""
+    count = bands = held = 0
     chance = 0.0
     outside = []
     for way in WAYS:
-        rows = rows_of(options, scene, options.size, '--spp', str(options.most), '--sampling', way, '--reference', str(truth))
-        rows = [row for row in rows if row['spp_mean'] >= 4 and row['est_rmse']]
-        ratios = [row['est_over_true'] for row in rows]
-        covered = sum(row['est_ci95_lo'] <= row['ref_rmse'] <= row['est_ci95_hi'] for row in rows)
-        outside += [f'{way} at {row["spp_mean"]:.0f}: {row["est_over_true"]:.2f}' for row in rows
-                    if not options.lowest <= row['est_over_true'] <= options.highest]
-        count, held = count + len(rows), held + covered
-        chance += sum(chance_outside(options, row) for row in rows)
+        samples, ratios, spreads, holds = zip(*joint_rows(options, scene, truth, way))
+        holds = sum(holds, [])
+        outside += [f'{way} at {n:.0f}: {ratio:.2f}' for n, ratio in zip(samples, ratios)
+                    if not options.lowest <= ratio <= options.highest]
+        count, bands, held = count + len(ratios), bands + len(holds), held + sum(holds)
+        chance += sum(chance_outside(options, deviation) for deviation in spreads)
         print(f'{scene.stem:14} {way:9} estimated / true {min(ratios):.2f} ... {max(ratios):.2f}'
-              f'   spread by the bands {statistics.median(map(spread, rows)):.2f}   band holds {covered} of {len(rows)}', flush=True)
-    return count, held, chance, outside
+              f'   spread by the bands {statistics.median(spreads):.2f}   band holds {sum(holds)} of {len(holds)}', flush=True)
+    return count, bands, held, chance, outside
 
 
 def check_rows(options):
-    count = held = 0
+    count = bands = held = 0
     chance = 0.0
     outside = []
     for scene in options.scenes:
-        rows, covered, by_chance, wrong = hold_rows(options, scene, truth_of(options, scene))
-        count, held, chance = count + rows, held + covered, chance + by_chance
+        rows, covering, covered, by_chance, wrong = hold_rows(options, scene, truth_of(options, scene))
+        count, bands, held, chance = count + rows, bands + covering, held + covered, chance + by_chance
         outside += [f'{scene.stem} {text}' for text in wrong]
-    print(f'rows: {len(outside)} of {count} outside {options.lowest} ... {options.highest} ({chance:.1f} by chance); bands hold {held} of {count}, '
-          f'{100.0 * held / count:.1f} % ({100 * options.covered:.0f} % asked)')
+    print(f'rows: {len(outside)} of {count} outside {options.lowest} ... {options.highest} ({chance:.1f} by chance); '
+          f'bands hold {held} of {bands}, {100.0 * held / bands:.1f} % ({100 * options.covered:.0f} % asked)')
     for text in outside:
         print(f'  {text}')
-    return not outside and held >= options.covered * count
+    return not outside and held >= options.covered * bands
 
 
 def check_error(options):
     worst = 0.0
     for scene in options.scenes:
-        last = rows_of(options, scene, options.size, '--error', str(options.asked), '--reference', str(truth_of(options, scene)))[-1]
-        print(f'{scene.stem:14} --error {options.asked}: {last["spp_mean"]:.1f} samples, estimated {last["est_rmse"]:.5f}, '
-              f'true {last["ref_rmse"]:.5f}', flush=True)
-        worst = max(worst, last['ref_rmse'])
+        ends = [rows_of(options, scene, options.size, '--error', str(options.asked), '--reference', str(truth_of(options, scene)),
+                        '--seed', str(seed))[-1] for seed in range(options.pictures)]
+        largest = max(end['ref_rmse'] for end in ends)
+        print(f'{scene.stem:14} --error {options.asked}: {statistics.mean(end["spp_mean"] for end in ends):.1f} samples, '
+              f'estimated {root_mean_square([end["est_rmse"] for end in ends]):.5f}, '
+              f'true {root_mean_square([end["ref_rmse"] for end in ends]):.5f}, at most {largest:.5f}', flush=True)
+        worst = max(worst, largest)
     print(f'error: largest true error {worst:.5f} ({options.reached} allowed)')
     return worst < options.reached
 
