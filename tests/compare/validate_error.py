@@ -129,7 +129,8 @@ def joint_rows(options, scene, truth, way):
     for rows in zip(*several):
         if rows[0]['spp_mean'] >= 4 and all(row['est_rmse'] for row in rows):
             told, true = (root_mean_square([row[key] for row in rows]) for key in ('est_rmse', 'ref_rmse'))
-            deviation = root_mean_square([spread(row) for row in rows]) / math.sqrt(len(rows))
+            squares = [row['est_rmse'] ** 2 for row in rows]
+            deviation = math.hypot(*(spread(row) * square for row, square in zip(rows, squares))) / sum(squares)
             yield rows[0]['spp_mean'], told / true, deviation, [held_by(row) for row in rows]
 
 
