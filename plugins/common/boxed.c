@@ -55,7 +55,7 @@ COMMON_SEPARATE static void enter_all(const common_rays *restrict l, const commo
     enter(l, b, N, out);
 }
 
-static common_entry get_entry(const common_entries *l, uint32_t i)
+common_entry common_boxed_entry(const common_entries *l, uint32_t i)
 {
     common_entry e;
 
@@ -75,6 +75,21 @@ static common_entry get_entry(const common_entries *l, uint32_t i)
 static inline bool reaches(double lo, double hi, double unit, const pov_hits *hits)
 {
     return lo <= hi && !(hi < 0.0) && !(lo * unit > hits->tmax);
+}
+
+bool common_boxed_reaches(const common_entries *l, uint32_t i, const pov_hits *hits) { return reaches(l->lo[i], l->hi[i], l->unit[i], hits); }
+
+void common_boxed_enter(const common_boxed *b, const pov_ray *const *rays, uint32_t n, common_entries *out)
+{
+    common_rays lanes;
+
+    common_put_four_of(&lanes, 0, rays, n);
+    if (n > HALF) {
+        common_put_four_of(&lanes, HALF, rays, n);
+        enter_all(&lanes, b, out);
+    } else {
+        enter_half(&lanes, b, out);
+    }
 }
 
 void common_boxed_intersect(const common_boxed *b, common_cross_entry *cross, const void *self, const pov_ray *ray, pov_hits *hits)
@@ -138,7 +153,7 @@ static void intersect_some(const common_boxed *b, common_cross_entry *cross, com
         known = find_firsts(first, self, &all, rays, hits, n, &of);
     for (uint32_t i = 0; i < n; i++)
         if (reaches(all.lo[i], all.hi[i], all.unit[i], hits[i]) && !((known >> i & 1) && has_crossed(&all, &of, i, hits[i]))) {
-            const common_entry e = get_entry(&all, i);
+            const common_entry e = common_boxed_entry(&all, i);
 
             cross(self, rays[i], &e, hits[i]);
         }

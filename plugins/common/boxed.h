@@ -19,6 +19,12 @@ enum { COMMON_ENTRIES = 8 };
 typedef double common_by_entry[COMMON_ENTRIES];
 typedef struct common_entries { common_by_entry f[6], d[3], d_lo[3], unit, per_unit, lo, hi, least; } common_entries;
 
+/* Of up to COMMON_ENTRIES rays of one shape; `least` is left out. Lanes past the end hold the last ray again. */
+void common_boxed_enter(const common_boxed *b, const pov_ray *const *rays, uint32_t n, common_entries *out);
+common_entry common_boxed_entry(const common_entries *l, uint32_t i);
+/* Does it reach the box, within the interval? */
+bool common_boxed_reaches(const common_entries *l, uint32_t i, const pov_hits *hits);
+
 /* By lane the first crossing behind `least`, in local distances, with its mark: its bits are those that cross() reports. Only where `known`
  * is above 0. */
 typedef struct common_first_crossings { common_by_entry known, t, t_lo, feature, u, v; } common_first_crossings;

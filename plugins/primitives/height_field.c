@@ -1,22 +1,10 @@
 /* height_field { image | function W, H { f } [smooth] [water_level w] }: heights over the unit square, in cells of two triangles.
  *
- * Rays ask the cells that they may meet (common/relief.h). Edges are those of common/triangle.h: no ray slips between two
+ * Rays ask the cells that they may meet (common/heights.h). Edges are those of common/triangle.h: no ray slips between two
  * triangles. What is below the water level is left out. Inside is below the surface or the water, down without end. */
-#include "common/boxed.h"
-#include "common/relief.h"
-#include "common/steep.h"
-#include "common/triangle.h"
+#include "common/heights.h"
 
-typedef struct height_field {
-    common_boxed boxed;
-    uint32_t wide, deep;         /* corners along x and z */
-    const uint16_t *height;      /* in 1/65536, rows from z = 0 */
-    const double *column, *row;  /* x and z of corners, rounded once, alike for each face that has them */
-    common_relief relief;
-    common_steeps steeps;        /* of a smooth one */
-    double water, low, high;
-    bool smooth;
-} height_field;
+typedef common_heights height_field;
 
 /* ---- loading ---- */
 
@@ -79,8 +67,6 @@ static void read_function(height_field *f, const pov_host *host, pov_reader *in)
     f->height = out;
 }
 
-static double height_at(const height_field *f, uint32_t x, uint32_t z) { return f->height[(size_t)z * f->wide + x] * 0x1p-16; }
-
 static void find_range(height_field *f)
 {
     uint16_t low = f->height[0], high = low;
@@ -102,18 +88,17 @@ static const double *make_places(uint32_t count, const pov_host *host, pov_reade
     return at;
 }
 
-static const pov_vec3 centre = { 0.5, 0.5, 0.5 };
-
 static void make_cells(height_field *f, const pov_host *host, pov_reader *in)
 {
     const pov_vec3 zero = { 0.0, 0.0, 0.0 };
 
     f->column = make_places(f->wide, host, in);
     f->row = make_places(f->deep, host, in);
-    if (!f->column || !f->row || !common_relief_make(&f->relief, host, in, f->height, f->wide, f->deep, 65536.0 * f->water))
+    if (!f->column || !f->row || !common_relief_make(&f->relief, host, in, f->height, f->wide, f->deep, 65536.0 * f->water) ||
+        !common_relief_ranges_make(&f->ranges, &f->relief, host, in))
         return;
     find_range(f);
-    f->boxed.anchor = pov_two3_of(centre, zero);
+    f->boxed.anchor = pov_two3_of(common_heights_centre(), zero);
     f->boxed.scale = 1.0;
     f->boxed.lo = pov_vec3_of(-0.5, f->low - 0.5, -0.5);
     f->boxed.hi = pov_vec3_of(0.5, f->high - 0.5, 0.5);
@@ -163,138 +148,13 @@ static bool bounds(const void *self, pov_box *out)
 
 /* ---- along a ray ---- */
 
-typedef struct walk {
-    const height_field *f;
-    const pov_ray *ray;
-    pov_hits *hits;
-    common_triangle_ray through;   /* its view is made when it is asked for */
-    double base;                 /* where distances are counted from */
-    pov_vec3 at, by;             /* where the ray is there and how it goes on, in cells and 1/65536 */
-    double off, most;            /* how much a height over a plane may be off, by far, infinite if all is to be exact; of a cell and its way */
-    bool from_here, seen;
-} walk;
-
-static pov_vec3 corner(const height_field *f, uint32_t x, uint32_t z)
+static void intersect(const void *self, const pov_ray *ray, pov_hits *hits)
 {
-    return pov_vec3_of(f->column[x], height_at(f, x, z), f->row[z]);
+    common_boxed_intersect(&((const height_field *)self)->boxed, common_heights_cross, self, ray, hits);
 }
 
-static bool is_dry(const height_field *f, const walk *w, double t)
-{
-    return f->water <= 0.0 || pov_two_add(pov_two_sum(w->ray->org.y, w->ray->org_lo.y), pov_two_product(t, w->ray->dir.y)).hi >= f->water;
-}
-
-/* One of the two triangles of a cell, which the line of the ray passes through. False: nothing more is wanted. */
-static bool cross_face(walk *w, uint32_t feature, const pov_vec3 *a, const pov_vec3 *b, const pov_vec3 *c)
-{
-    pov_mark mark = { feature, 0, 0.0, 0.0 };
-
-    if (w->from_here && w->ray->origin_mark.feature == feature)
-        return true;
-    if (w->f->water > 0.0) {
-        pov_hits one = *w->hits;
-        pov_crossing at;
-
-        one.want = POV_WANT_NEAREST;
-        one.count = 0;
-        one.at = &at;
-        common_triangle_cross(&w->through, a, b, c, mark, &one);
-        if (one.count == 0 || !is_dry(w->f, w, at.t))
-            return true;
-    }
-    return common_triangle_cross(&w->through, a, b, c, mark, w->hits);
-}
-
-/* Does the line of the ray pass through a triangle? */
-typedef enum verdict { BESIDE, THROUGH, OPEN } verdict;
-
-/* In double: at t the ray is `above` + t `rise` over the triangle's plane, and at u + t du, v + t dv in it; its sides are u = 0, v = 0
- * and u + v = 1. Where the ray crosses the plane these are, times `rise`, the three numbers below: it passes on one side of all edges
- * or on different ones. */
-static inline verdict judge_face(double above, double rise, double u, double v, double du, double dv, double off)
-{
-    const double p = u * rise - above * du, q = v * rise - above * dv, r = rise - p - q;
-    const double least = p < q ? p < r ? p : r : q < r ? q : r, most = p > q ? p > r ? p : r : q > r ? q : r;
-
-    return least < -off && most > off ? BESIDE : least > off || most < -off ? THROUGH : OPEN;
-}
-
-static bool cross_faces(walk *w, uint32_t x, uint32_t z, verdict low, verdict high)
-{
-    const height_field *f = w->f;
-    const pov_vec3 a = corner(f, x, z), b = corner(f, x + 1, z), c = corner(f, x, z + 1), d = corner(f, x + 1, z + 1);
-    const uint32_t feature = 2 * (z * (f->wide - 1) + x);
-
-    if (low == OPEN || high == OPEN) {
-        common_triangle_ray *r = &w->through;
-        common_seen p, q;
-
-        if (!w->seen)
-            common_triangle_look(r, w->hits->always_exact);
-        w->seen = true;
-        p = common_triangle_see(r, &b);
-        q = common_triangle_see(r, &c);
-        low = common_triangle_is_passed(r, &a, common_triangle_see(r, &a), &b, p, &c, q) ? THROUGH : BESIDE;
-        high = common_triangle_is_passed(r, &b, p, &d, common_triangle_see(r, &d), &c, q) ? THROUGH : BESIDE;
-    }
-    return (low == BESIDE || cross_face(w, feature, &a, &b, &c)) && (high == BESIDE || cross_face(w, feature + 1, &b, &d, &c));
-}
-
-static bool visit_cell(void *user, uint32_t x, uint32_t z)
-{
-    walk *w = user;
-    const uint16_t *h = w->f->height + (size_t)z * w->f->wide + x, *g = h + w->f->wide;
-    const double a = h[0], b = h[1], c = g[0], d = g[1], u = w->at.x - x, v = w->at.z - z, du = w->by.x, dv = w->by.z, p = 1.0 - u, q = 1.0 - v;
-    const double off = w->off * (w->most + fabs(u) + fabs(v));
-    const verdict low = judge_face(w->at.y - a - u * (b - a) - v * (c - a), w->by.y - du * (b - a) - dv * (c - a), u, v, du, dv, off);
-    const verdict high = judge_face(w->at.y - d - p * (c - d) - q * (b - d), w->by.y + du * (c - d) + dv * (b - d), p, q, -du, -dv, off);
-    const double before = w->hits->tmax;
-
-    if (low == BESIDE && high == BESIDE)
-        return true;
-    if (!cross_faces(w, x, z, low, high))
-        return false;
-    /* What comes behind a crossing well within the cell is farther. */
-    return w->hits->want != POV_WANT_NEAREST || w->hits->tmax == before || low == OPEN || high == OPEN;
-}
-
-/* Where the interval ends. */
-static double end_of(const walk *w)
-{
-    const pov_hits *h = w->hits;
-    const double most = h->tmax * w->through.about.per_unit * (1.0 + 0x1p-40);
-
-    return most - w->base + 0x1p-40 * (1.0 + fabs(w->base));
-}
-
-static pov_vec3 in_steps(const height_field *f, pov_vec3 v) { return pov_vec3_of(v.x * (f->wide - 1.0), v.y * 0x1p16, v.z * (f->deep - 1.0)); }
-
-static void cross(const void *self, const pov_ray *ray, const common_entry *e, pov_hits *hits)
-{
-    const height_field *f = self;
-    pov_vec3 o;
-    walk w;
-
-    if (!f->relief.levels)
-        return;
-    w.f = f;
-    w.ray = ray;
-    w.hits = hits;
-    w.through.about = e->k;
-    w.base = fmax(e->span.lo, 0.0);
-    w.from_here = ray->origin_surface == hits->owner;
-    w.seen = false;
-    common_triangle_place(&w.through, ray, centre, 1.0);
-    o = pov_add(common_along(&e->k, w.base), centre);
-    w.at = in_steps(f, o);
-    w.by = in_steps(f, e->k.d);
-    w.off = hits->always_exact || !(pov_largest(pov_two3_hi(e->k.f)) < COMMON_FAR) ? HUGE_VAL : 0x1p-10 * (1.0 + pov_largest(o));
-    w.most = 2.0 + fabs(w.by.x) + fabs(w.by.z);
-    common_relief_search(&f->relief, o, e->k.d, fmin(e->span.hi - w.base, end_of(&w)), visit_cell, &w);
-    hits->escalated += w.through.view.escalated;
-}
-
-COMMON_BOXED_CLASS(height_field, cross)
+static const pov_shape_fast fast = { .size = sizeof(pov_shape_fast), .intersect_many = common_heights_intersect_many };
+static const void *extension(const char *name) { return common_is_fast(name) ? &fast : NULL; }
 
 /* ---- points ---- */
 
@@ -321,8 +181,8 @@ static bool inside(const void *self, pov_vec3 point, pov_vec3 point_lo)
     if (!f->height || !(p.x >= 0.0 && p.x <= 1.0 && p.z >= 0.0 && p.z <= 1.0))
         return false;
     cell_of(f, p, &x, &z, &u, &v);
-    height = u + v <= 1.0 ? blend(height_at(f, x, z), height_at(f, x + 1, z), height_at(f, x, z + 1), u, v)
-                          : blend(height_at(f, x + 1, z + 1), height_at(f, x, z + 1), height_at(f, x + 1, z), 1.0 - u, 1.0 - v);
+    height = u + v <= 1.0 ? blend(common_height_at(f, x, z), common_height_at(f, x + 1, z), common_height_at(f, x, z + 1), u, v)
+                          : blend(common_height_at(f, x + 1, z + 1), common_height_at(f, x, z + 1), common_height_at(f, x + 1, z), 1.0 - u, 1.0 - v);
     return p.y < fmax(height, f->water);
 }
 
@@ -330,8 +190,8 @@ static void normal(const void *self, const pov_ray *ray, const pov_crossing *at,
 {
     const height_field *f = self;
     const uint32_t cell = at->mark.feature / 2, x = cell % (f->wide - 1), z = cell / (f->wide - 1);
-    const pov_vec3 b = corner(f, x + 1, z), c = corner(f, x, z + 1);
-    const pov_vec3 a = at->mark.feature % 2 == 0 ? corner(f, x, z) : corner(f, x + 1, z + 1);
+    const pov_vec3 b = common_height_corner(f, x + 1, z), c = common_height_corner(f, x, z + 1);
+    const pov_vec3 a = at->mark.feature % 2 == 0 ? common_height_corner(f, x, z) : common_height_corner(f, x + 1, z + 1);
 
     (void)ray;
     *out = pov_unit(pov_cross_product(pov_sub(b, a), pov_sub(c, a)));

@@ -1,7 +1,8 @@
 /* test_facets.c - surfaces made of triangles, against each of their triangles in 512 bits: every crossing is found, and no other.
  *
  * Height fields of a few to some thousand cells, smooth, rough, flat and under water, and Bezier patches. Rays from near and far,
- * aimed anywhere, at corners and edges or beside them by 1e-1 to 1e-17, along axes, along the surface, and from the surface.
+ * aimed anywhere, at corners and edges or beside them by 1e-1 to 1e-17, along axes, along the surface, and from the surface;
+ * together too, which must give the same bits.
  * test_facets RAYS for a long run of each. */
 #include "numerics/draw.h"
 #include "numerics/long_run.h"
@@ -337,11 +338,49 @@ static void judge(const shape_class *c, const surface *s, const void *self, cons
                 ray->dir.z, there.count, n);
 }
 
+/* Rays together find what each finds by itself, with the same bits. */
+static void judge_together(const shape_class *c, const void *self, const pov_ray *rays_of, pov_want want)
+{
+    const void *selves[RAYS_A_SHAPE];
+    const pov_ray *each[RAYS_A_SHAPE];
+    pov_hits hits[RAYS_A_SHAPE], *to[RAYS_A_SHAPE];
+    pov_crossing at[RAYS_A_SHAPE];
+
+    for (int i = 0; i < RAYS_A_SHAPE; i++) {
+        selves[i] = self;
+        each[i] = &rays_of[i];
+        hits[i] = hits_to(U() < 0.5 ? HUGE_VAL : 4.0 * U(), want, &at[i], 1);
+        hits[i].owner = 1;
+        to[i] = &hits[i];
+    }
+    for (int from = 0, some; from < RAYS_A_SHAPE; from += some) {
+        const int left = RAYS_A_SHAPE - from, wanted = 1 + (int)(80.0 * U());
+
+        some = wanted < left ? wanted : left;
+        c->intersect_many(selves + from, each + from, to + from, (uint32_t)some);
+    }
+    for (int i = 0; i < RAYS_A_SHAPE; i++) {
+        pov_crossing own;
+        pov_hits alone = hits_to(HUGE_VAL, want, &own, 1);
+
+        alone.owner = 1;
+        alone.tmax = hits[i].count ? HUGE_VAL : hits[i].tmax;
+        c->intersect(self, each[i], &alone);
+        assert_int_equal(hits[i].count, alone.count);
+        if (alone.count && want == POV_WANT_NEAREST) {
+            assert_memory_equal(&at[i].t, &own.t, sizeof own.t);
+            assert_memory_equal(&at[i].t_lo, &own.t_lo, sizeof own.t_lo);
+            assert_int_equal(at[i].mark.feature, own.mark.feature);
+        }
+    }
+}
+
 static void keeps_its_crossings(const char *keyword, void (*make)(surface *s, pov_reader *in))
 {
     const shape_class *c = fake_reader_shape(keyword);
     surface *one = malloc(sizeof *one);
     score s = { 0, 0, 0, 0, 0.0 };
+    pov_ray drawn[RAYS_A_SHAPE];
 
     assert_non_null(c);
     assert_non_null(one);
@@ -355,9 +394,12 @@ static void keeps_its_crossings(const char *keyword, void (*make)(surface *s, po
         if (!self)
             fail_msg("%s: %s", keyword, fake_reader_message(in));
         for (int i = 0; i < RAYS_A_SHAPE; i++) {
-            const pov_ray ray = draw_ray(one, c, self);
-
-            judge(c, one, self, &ray, &s);
+            drawn[i] = draw_ray(one, c, self);
+            judge(c, one, self, &drawn[i], &s);
+        }
+        if (c->intersect_many) {
+            judge_together(c, self, drawn, POV_WANT_NEAREST);
+            judge_together(c, self, drawn, POV_WANT_ANY);
         }
         fake_reader_destroy(in);
     }
