@@ -356,6 +356,12 @@ void paint_surfaces(const shading *scene, surfaces *s, const painted *p)
 
         if (!t)
             continue;
+        if (t->bent) {
+            lanes_put(&s->geometry.bent, i, t->normal);
+            bent |= (uint64_t)1 << i;
+        }
+        if (s->at[i].appearance->bends)
+            continue;
         if (t->finish != last)
             of = shading_finish(scene, last = t->finish);
         if (!keeps || out->finish != last || out->material != own) {
@@ -367,10 +373,6 @@ void paint_surfaces(const shading *scene, surfaces *s, const painted *p)
         else
             appearance_repaint(out, scene->plan, scene->model, &t->pigment);
         s->at[i].appearance = out;
-        if (!t->bent)
-            continue;
-        lanes_put(&s->geometry.bent, i, t->normal);
-        bent |= (uint64_t)1 << i;
     }
     if (bent)
         set_bent(s, bent);

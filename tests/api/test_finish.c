@@ -252,6 +252,36 @@ static void weights_of_mirrors_that_graze(void **state)
     }
 }
 
+/* A pigment that is painted at each hit, and the same one that is painted once as only the normal varies. */
+static void one_pigment_with_a_bent_normal_is_as_one_that_varies(void **state)
+{
+    static const char *const looks[][2] = {
+        { "rgb <.9,.6,.3>", "diffuse .6 ambient .2 emission .1 phong .5 reflection .3" },
+        { "rgb <.9,.6,.3>", "metallic specular .7 roughness .02 brilliance 2 reflection { .1, .5 metallic }" },
+        { "rgbft <.9,.6,.3,.3,.4>", "diffuse .6 phong .7 metallic .5 reflection { 0, 1 fresnel } conserve_energy" },
+        { "rgb <.9,.6,.3>", "diffuse .6, .3 irid { .3 thickness .5 } reflection .2" },
+    };
+    (void)state;
+
+    for (size_t i = 0; i < sizeof looks / sizeof looks[0]; i++) {
+        char text[1024];
+        float *pictures[2];
+
+        for (int varies = 0; varies < 2; varies++) {
+            const char *c = looks[i][0];
+
+            snprintf(text, sizeof text, "#version 3.7; global_settings { assumed_gamma 1 } background { rgb <.5,.6,.7> }\n"
+                     "camera { location <0,1,-4> look_at 0 } light_source { <3,4,-6> rgb 1 } plane { y, -1 pigment { checker rgb 1, rgb 0 } }\n"
+                     "sphere { 0, 1.45 pigment { %s%s%s%s } normal { bumps .4 scale .2 } finish { %s } interior { ior 1.3 } }\n",
+                     varies ? "checker " : "", c, varies ? ", " : "", varies ? c : "", looks[i][1]);
+            pictures[varies] = scenes_draw(text, WIDTH, HEIGHT, 1, 1);
+        }
+        assert_memory_equal(pictures[0], pictures[1], sizeof(float) * 4 * WIDTH * HEIGHT);
+        free(pictures[0]);
+        free(pictures[1]);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -269,6 +299,7 @@ int main(void)
         cmocka_unit_test(a_film_changes_all_light_by_its_wavelength),
         cmocka_unit_test(metal_does_not_end_rays),
         cmocka_unit_test(weights_of_mirrors_that_graze),
+        cmocka_unit_test(one_pigment_with_a_bent_normal_is_as_one_that_varies),
     };
 
     return cmocka_run_group_tests_name("finishes", tests, NULL, NULL);
