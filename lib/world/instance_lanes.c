@@ -70,9 +70,10 @@ SIMD_CLONES static void find_own(const pair_lanes *restrict l, own_lanes *restri
     }
 }
 
-static inline void give_block(double (*from)[LANES], pov_ray *const to[LANES], size_t offset)
+/* Four rows of four numbers, `stride` from each other, into as many rays. */
+static inline void give_rows(const double *from, size_t stride, pov_ray *const to[LANES], size_t offset)
 {
-    const void *const rows[LANES] = { from[0], from[1], from[2], from[3] };
+    const void *const rows[LANES] = { from, from + stride, from + 2 * stride, from + 3 * stride };
     double *out[LANES];
     size_t i;
 
@@ -97,8 +98,8 @@ static void rays_some(const instance_xform *const *p, const pov_ray *const *rays
     }
     take_pairs(&lanes, xforms, from);
     find_own(&lanes, &out);
-    give_block(out.component, to, offsetof(pov_ray, org));
-    give_block(out.component + 4, to, offsetof(pov_ray, org_lo.y));
+    give_rows(out.component[0], LANES, to, offsetof(pov_ray, org));
+    give_rows(out.component[4], LANES, to, offsetof(pov_ray, org_lo.y));
     for (i = 0; i < n; i++) {
         own[i]->dir.z = out.component[8][i];
         own[i]->dir_lo = pov_vec3_of(out.component[9][i], out.component[10][i], out.component[11][i]);
@@ -106,6 +107,105 @@ static void rays_some(const instance_xform *const *p, const pov_ray *const *rays
         own[i]->origin_mark = rays[i]->origin_mark;
     }
 }
+
+/* ---- rays of one instance ---- */
+
+/* Twice as many: there are no numbers of instances to be laid out. Fewer than LEAST are not worth the empty lanes. */
+#if defined(__AVX512F__)
+enum { SAME = 2 * LANES, LEAST = 3 };
+#else
+enum { SAME = 2 * LANES, LEAST = LANES + 1 };
+#endif
+
+typedef struct same_lanes { double component[COMPONENTS][SAME]; } same_lanes;
+
+SIMD_INLINE pov_two start_of(const same_lanes *l, size_t lane, size_t j, double anchor)
+{
+    return pov_two_add_double(pov_two_sum(l->component[ORG + j][lane], -anchor), l->component[ORG_LO + j][lane]);
+}
+
+/* As put_axis(), by a row of the inverse. */
+SIMD_INLINE void put_row(const double row[3], const double row_lo[3], pov_two own, size_t lane, size_t i, pov_two x, pov_two y, pov_two z,
+                         const same_lanes *l, same_lanes *out)
+{
+    const pov_two a = pov_two_of(row[0], row_lo[0]), b = pov_two_of(row[1], row_lo[1]), c = pov_two_of(row[2], row_lo[2]);
+    const pov_two o = pov_two_add(pov_two_add(pov_two_add(pov_two_mul(a, x), pov_two_mul(b, y)), pov_two_mul(c, z)), own);
+    const pov_two ab = pov_two_add(pov_two_mul_double(a, l->component[DIR][lane]), pov_two_mul_double(b, l->component[DIR + 1][lane]));
+    const pov_two d = pov_two_add(ab, pov_two_mul_double(c, l->component[DIR + 2][lane]));
+
+    out->component[i][lane] = o.hi;
+    out->component[3 + i][lane] = o.lo;
+    out->component[6 + i][lane] = d.hi;
+    out->component[9 + i][lane] = d.lo;
+}
+
+SIMD_CLONES SIMD_NOINLINE static void find_same(const instance_xform *restrict p, const same_lanes *restrict l, same_lanes *restrict out)
+{
+    const pov_vec3 *c = p->column, *e = p->column_lo, at = p->anchor, own = p->own_anchor, own_lo = p->own_anchor_lo;
+    const double row0[3] = { c[0].x, c[1].x, c[2].x }, row1[3] = { c[0].y, c[1].y, c[2].y }, row2[3] = { c[0].z, c[1].z, c[2].z };
+    const double low0[3] = { e[0].x, e[1].x, e[2].x }, low1[3] = { e[0].y, e[1].y, e[2].y }, low2[3] = { e[0].z, e[1].z, e[2].z };
+
+    for (size_t i = 0; i < SAME; i++) {
+        const pov_two x = start_of(l, i, 0, at.x), y = start_of(l, i, 1, at.y), z = start_of(l, i, 2, at.z);
+
+        put_row(row0, low0, pov_two_of(own.x, own_lo.x), i, 0, x, y, z, l, out);
+        put_row(row1, low1, pov_two_of(own.y, own_lo.y), i, 1, x, y, z, l, out);
+        put_row(row2, low2, pov_two_of(own.z, own_lo.z), i, 2, x, y, z, l, out);
+    }
+}
+
+/* The first components of four rays, to or from lanes from `at` on. */
+static inline void take_four(const pov_ray *const *rays, uint32_t at, uint32_t n, same_lanes *l)
+{
+    const void *from[LANES];
+
+    for (uint32_t i = 0; i < LANES; i++)
+        from[i] = rays[at + i < n ? at + i : n - 1];
+    simd_transpose(from, offsetof(pov_ray, org), l->component[0] + at, l->component[1] + at, l->component[2] + at, l->component[3] + at);
+    simd_transpose(from, offsetof(pov_ray, org_lo.y), l->component[4] + at, l->component[5] + at, l->component[6] + at, l->component[7] + at);
+    simd_transpose(from, offsetof(pov_ray, dir.z), l->component[8] + at, l->component[9] + at, l->component[10] + at, l->component[11] + at);
+}
+
+static inline void give_four(same_lanes *l, uint32_t at, uint32_t n, pov_ray *const *own)
+{
+    pov_ray *to[LANES], unused;
+
+    for (uint32_t i = 0; i < LANES; i++)
+        to[i] = at + i < n ? own[at + i] : &unused;
+    give_rows(l->component[0] + at, SAME, to, offsetof(pov_ray, org));
+    give_rows(l->component[4] + at, SAME, to, offsetof(pov_ray, org_lo.y));
+}
+
+/* Up to eight of one instance, whose inverse is not diagonal. */
+static void rays_same(const instance_xform *p, const pov_ray *const *rays, pov_ray *const *own, uint32_t n)
+{
+    same_lanes l, out;
+
+    take_four(rays, 0, n, &l);
+    take_four(rays, LANES, n, &l);
+    find_same(p, &l, &out);
+    give_four(&out, 0, n, own);
+    if (n > LANES)
+        give_four(&out, LANES, n, own);
+    for (uint32_t i = 0; i < n; i++) {
+        own[i]->dir.z = out.component[8][i];
+        own[i]->dir_lo = pov_vec3_of(out.component[9][i], out.component[10][i], out.component[11][i]);
+        own[i]->origin_surface = rays[i]->origin_surface;
+        own[i]->origin_mark = rays[i]->origin_mark;
+    }
+}
+
+/* How many are of the first one's instance, up to as many as there are lanes. */
+static uint32_t count_same(const instance_xform *const *p, uint32_t n)
+{
+    uint32_t some = 1;
+
+    while (some < SAME && some < n && p[some] == p[0])
+        some++;
+    return some;
+}
+
+/* ---- all ---- */
 
 static bool any_axes(const instance_xform *const *p, uint32_t n)
 {
@@ -122,6 +222,11 @@ void instance_rays(const instance_xform *const *p, const pov_ray *const *rays, p
     uint32_t some, i;
 
     for (; n > 0; n -= some, p += some, rays += some, own += some) {
+        some = count_same(p, n);
+        if (some >= LEAST && !p[0]->axes) {
+            rays_same(p[0], rays, own, some);
+            continue;
+        }
         some = n < LANES ? n : LANES;
         if (some > 1 && !any_axes(p, some))
             rays_some(p, rays, own, some);
@@ -191,21 +296,12 @@ static void rotate_some(const instance_xform *const *p, pov_vec3 *const *normals
             instance_world_normal(p[i], normals[i]);
 }
 
-void instance_world_normals(const instance_xform *const *p, pov_vec3 *const *normals, uint32_t n)
-{
-    uint32_t some;
-
-    for (; n > 1; n -= some, p += some, normals += some) {
-        some = n < LANES ? n : LANES;
-        rotate_some(p, normals, some);
-    }
-    if (n > 0)
-        instance_world_normal(p[0], normals[0]);
-}
-
 /* ---- normals of one instance ---- */
 
-typedef struct normal_lanes { double x[LANES], y[LANES], z[LANES]; } normal_lanes;
+typedef struct normal_lanes { double x[SAME], y[SAME], z[SAME]; } normal_lanes;
+
+/* Unit normals, and their squared lengths before that. */
+typedef struct same_units { double normal[3][SAME], square[SAME]; } same_units;
 
 SIMD_INLINE double rotate_by_row(pov_vec3 row, pov_vec3 row_lo, const normal_lanes *n, size_t lane)
 {
@@ -215,12 +311,12 @@ SIMD_INLINE double rotate_by_row(pov_vec3 row, pov_vec3 row_lo, const normal_lan
     return pov_two_add(ab, pov_two_mul_double(c, n->z[lane])).hi;
 }
 
-SIMD_CLONES static void rotate_same(const instance_xform *restrict p, const normal_lanes *restrict from, unit_lanes *restrict out)
+SIMD_CLONES SIMD_NOINLINE static void rotate_same(const instance_xform *restrict p, const normal_lanes *restrict from, same_units *restrict out)
 {
     const pov_vec3 x = p->column[0], y = p->column[1], z = p->column[2];
     const pov_vec3 x_lo = p->column_lo[0], y_lo = p->column_lo[1], z_lo = p->column_lo[2];
 
-    for (size_t i = 0; i < LANES; i++) {
+    for (size_t i = 0; i < SAME; i++) {
         const pov_vec3 n = pov_vec3_of(rotate_by_row(x, x_lo, from, i), rotate_by_row(y, y_lo, from, i), rotate_by_row(z, z_lo, from, i));
         const double square = pov_dot(n, n), length = sqrt(square);
 
@@ -231,13 +327,14 @@ SIMD_CLONES static void rotate_same(const instance_xform *restrict p, const norm
     }
 }
 
-void instance_rotate_normals(const instance_xform *p, pov_vec3 *normals, uint32_t n)
+/* Up to eight. */
+static void rotate_all(const instance_xform *p, pov_vec3 *const *normals, uint32_t n)
 {
     normal_lanes from;
-    unit_lanes out;
+    same_units out;
 
-    for (uint32_t i = 0; i < LANES; i++) {
-        const pov_vec3 of = normals[i < n ? i : 0];
+    for (uint32_t i = 0; i < SAME; i++) {
+        const pov_vec3 of = *normals[i < n ? i : 0];
 
         from.x[i] = of.x;
         from.y[i] = of.y;
@@ -246,7 +343,33 @@ void instance_rotate_normals(const instance_xform *p, pov_vec3 *normals, uint32_
     rotate_same(p, &from, &out);
     for (uint32_t i = 0; i < n; i++)
         if (out.square[i] >= LEAST_SQUARE && out.square[i] <= MOST_SQUARE)
-            normals[i] = pov_vec3_of(out.normal[0][i], out.normal[1][i], out.normal[2][i]);
+            *normals[i] = pov_vec3_of(out.normal[0][i], out.normal[1][i], out.normal[2][i]);
         else
-            instance_world_normal(p, &normals[i]);
+            instance_world_normal(p, normals[i]);
+}
+
+void instance_rotate_normals(const instance_xform *p, pov_vec3 *normals, uint32_t n)
+{
+    pov_vec3 *all[SAME];
+
+    for (uint32_t i = 0; i < n; i++)
+        all[i] = &normals[i];
+    rotate_all(p, all, n);
+}
+
+void instance_world_normals(const instance_xform *const *p, pov_vec3 *const *normals, uint32_t n)
+{
+    uint32_t some;
+
+    for (; n > 1; n -= some, p += some, normals += some) {
+        some = count_same(p, n);
+        if (some >= LEAST) {
+            rotate_all(p[0], normals, some);
+            continue;
+        }
+        some = n < LANES ? n : LANES;
+        rotate_some(p, normals, some);
+    }
+    if (n > 0)
+        instance_world_normal(p[0], normals[0]);
 }
