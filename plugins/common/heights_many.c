@@ -71,7 +71,7 @@ static bool may_walk(const common_heights *f, const common_entries *e, uint32_t 
 /* Up to LANES rays. One that misses the box neither goes nor is unsure. */
 static void begin_group(const common_heights *f, group *g, const pov_ray *const *rays, pov_hits *const *hits, uint32_t n)
 {
-    bool apart[LANES];
+    bool single[LANES];
 
     for (uint32_t i = 0; i < LANES; i++)
         g->c.tmax[i] = hits[i < n ? i : n - 1]->tmax;
@@ -88,11 +88,11 @@ static void begin_group(const common_heights *f, group *g, const pov_ray *const 
         const bool reaches = i < n && common_boxed_reaches(e, l, hits[i]), walks = reaches && may_walk(f, e, l, hits[i]);
 
         g->w.goes[i] = walks ? -1 : 0;
-        apart[i] = reaches && !walks;
+        single[i] = reaches && !walks;
     }
     common_walk_begin(&f->ranges, &g->w);
     for (uint32_t i = 0; i < n; i++)
-        g->w.unsure[i] = (g->w.unsure[i] && common_boxed_reaches(&g->e[i / COMMON_ENTRIES], i % COMMON_ENTRIES, hits[i])) || apart[i] ? -1 : 0;
+        g->w.unsure[i] = (g->w.unsure[i] && common_boxed_reaches(&g->e[i / COMMON_ENTRIES], i % COMMON_ENTRIES, hits[i])) || single[i] ? -1 : 0;
 }
 
 COMMON_SEPARATE static void judge_lanes(cell_lanes *restrict c, const common_walk *restrict w)
@@ -145,7 +145,7 @@ static common_entry entry_of(const crowd *c, uint32_t ray)
     return common_boxed_entry(&g->e[ray % LANES / COMMON_ENTRIES], ray % COMMON_ENTRIES);
 }
 
-static void cross_apart(const crowd *c, uint32_t ray)
+static void cross_single(const crowd *c, uint32_t ray)
 {
     const common_entry e = entry_of(c, ray);
 
@@ -164,7 +164,7 @@ static void cross_queued(crowd *c)
     open = q->n > 0 ? common_triangle_cross_many(q->pair, q->n, 1.0) : 0;
     for (uint32_t i = 0; i < q->n; i++)
         if ((open >> i & 1) || (q->pair[i].hits->count == 0 && q->pair[i].hits->tmax == before[i]))
-            cross_apart(c, q->ray[i]);
+            cross_single(c, q->ray[i]);
     q->n = 0;
 }
 
@@ -208,7 +208,7 @@ static bool take_next(crowd *c, uint32_t lane)
             return true;
         }
         if (g->w.unsure[i])
-            cross_apart(c, ray);
+            cross_single(c, ray);
     }
     return false;
 }
@@ -225,7 +225,7 @@ static uint32_t take_first(crowd *c)
     for (uint32_t i = 0; i < some; i++) {
         c->in[i] = i;
         if (!c->w.goes[i] && c->w.unsure[i])
-            cross_apart(c, i);
+            cross_single(c, i);
         used |= (uint32_t)(c->w.goes[i] || take_next(c, i)) << i;
     }
     return used;
@@ -245,7 +245,7 @@ static bool goes_on(crowd *c, uint32_t lane)
     if (is_near && low + high == COMMON_THROUGH + COMMON_BESIDE)
         queue_face(c, lane, high == COMMON_THROUGH);
     else if (is_near || c->w.unsure[lane])
-        cross_apart(c, c->in[lane]);
+        cross_single(c, c->in[lane]);
     return take_next(c, lane);
 }
 

@@ -123,8 +123,8 @@ COMMON_SEPARATE static int32_t step(const common_relief_ranges *restrict g, cons
         const float end = is_x ? end_x : end_z, inverse = fabsf(is_x ? by_x : by_z), reach = lesser(end, to);
         const float there_x = ox + reach * dx, there_z = oz + reach * dz;
         const float ahead = off * inverse, from = oy + (t - w->behind[i]) * dy, until = oy + (reach + ahead) * dy;
-        const int32_t is_low = lesser(from, until) - 1.0f <= high ? -1 : 0, meets = greater(from, until) + 1.0f >= low ? is_low & ~past : 0;
-        const int32_t onward = goes & ~meets, ends = end > to ? onward : 0;
+        const int32_t is_low = lesser(from, until) - 1.0f <= high ? -1 : 0, may_hit = greater(from, until) + 1.0f >= low ? is_low & ~past : 0;
+        const int32_t onward = goes & ~may_hit, ends = end > to ? onward : 0;
         const float slope = inverse * fabsf(is_x ? dz : dx), near = off * greater(slope, 1.0f);
         const int32_t corner = beside_line(is_x ? there_z : there_x) < near ? onward & ~ends : 0;
         const int32_t beside_x = between((int32_t)there_x, part_x << shift, (part_x << shift) + last);
@@ -133,7 +133,7 @@ COMMON_SEPARATE static int32_t step(const common_relief_ranges *restrict g, cons
         const int32_t next_z = is_x ? beside_z : up ? (part_z << shift) + last + 1 : (part_z << shift) - 1;
         const int32_t outside = (next_x | next_z | (g->wide - 1 - next_x) | (g->deep - 1 - next_z)) >> 31;
         const int32_t on = onward & ~ends & ~corner & ~outside, higher = ((next_x ^ x) | (next_z ^ z)) >> shift >> 2 != 0 ? on : 0;
-        const int32_t stops = goes & meets & (level == 0 ? -1 : 0), deeper = goes & meets & ~stops;
+        const int32_t stops = goes & may_hit & (level == 0 ? -1 : 0), deeper = goes & may_hit & ~stops;
         const int32_t changed = level - (higher & (level < g->top ? -1 : 0));
 
         w->x[i] = on ? next_x : x;
