@@ -166,12 +166,18 @@ static void along(const common_polynomial *p, pov_vec3 o, pov_vec3 d, double *ou
 
 /* ---- roots on the whole line ---- */
 
-/* The power of two nearest to the size of a number. */
-static int exponent_of(double x)
+/* The power of two above the size of a number, as frexp() has it. */
+static inline int exponent_of(double x)
 {
+    uint64_t bits;
     int e;
 
-    frexp(x, &e);
+    memcpy(&bits, &x, sizeof bits);
+    e = (int)(bits >> 52 & 0x7ff);
+    if (e == 0 || e == 0x7ff)
+        frexp(x, &e);
+    else
+        e -= 1022;
     return e;
 }
 
@@ -220,8 +226,15 @@ static bool report(const search *s, double t)
     return pov_cross(s->hits, at.hi * s->k->unit, at.lo * s->k->unit, mark);
 }
 
-/* Roots from 0 to `size` (negative: towards the past), or from there to infinity. False: nothing more is wanted. */
-static bool search_part(const search *s, const double *c, int degree, double size, bool beyond)
+/* Do the ray's crossings end before a local distance, from its start? */
+static bool ends_before(const search *s, double t)
+{
+    return t * s->k->unit * (1.0 - 0x1p-40) > s->hits->tmax + s->hits->slack;
+}
+
+/* Roots from 0 to `size` (negative: towards the past), or from there to infinity. *left: how many there may be. False: nothing more
+ * is wanted. */
+static bool search_part(const search *s, const double *c, int degree, double size, bool beyond, int *left)
 {
     double a[MOST], b[MOST], root[MOST], power = 1.0, sum = 0.0;
     uint32_t found;
@@ -233,27 +246,47 @@ static bool search_part(const search *s, const double *c, int degree, double siz
     }
     common_bernstein(a, degree, b);
     found = common_bernstein_roots(b, degree, (degree + 4) * 0x1p-51 * sum, root);
+    *left -= (int)found;
     for (uint32_t i = 0; i < found; i++)
         if (!report(s, beyond ? size / root[i] : size * root[i]))
             return false;
     return true;
 }
 
+/* No more roots are ahead, or behind, than the coefficients change their sign there (Descartes' rule). */
+static int most_roots(const double *c, int degree, bool behind)
+{
+    bool above = c[0] > 0.0;
+    int changes = 0;
+
+    if (c[0] == 0.0)
+        return degree + 1;
+    for (int i = 1; i <= degree; i++)
+        if (c[i] != 0.0 && ((c[i] > 0.0) != (behind && i % 2 != 0)) != above) {
+            above = !above;
+            changes++;
+        }
+    return changes;
+}
+
 static void search_line(const search *s, const double *c, int degree)
 {
+    int ahead, behind;
     double size;
 
     while (degree > 0 && c[degree] == 0.0)
         degree--;
-    if (degree < 1)
+    ahead = ends_before(s, s->base) ? 0 : most_roots(c, degree, false);
+    behind = s->start < 0.0 ? most_roots(c, degree, true) : 0;
+    if (degree < 1 || ahead + behind == 0)
         return;
     size = near_size(c, degree);
-    if (s->start < 0.0 && !search_part(s, c, degree, -size, false))
+    if (behind > 0 && !search_part(s, c, degree, -size, false, &behind))
         return;
-    if (s->start < -size && !search_part(s, c, degree, -size, true))
+    if (behind > 0 && s->start < -size && !search_part(s, c, degree, -size, true, &behind))
         return;
-    if (search_part(s, c, degree, size, false))
-        search_part(s, c, degree, size, true);
+    if (ahead > 0 && !ends_before(s, s->base) && search_part(s, c, degree, size, false, &ahead) && ahead > 0 && !ends_before(s, s->base + size))
+        search_part(s, c, degree, size, true, &ahead);
 }
 
 /* Of what is bounded only the stretch within the box counts. The root that a ray starts on is at 0: it is divided out. */
