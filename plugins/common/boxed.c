@@ -173,3 +173,47 @@ void common_boxed_intersect_many(size_t boxed_at, common_cross_entry *cross, com
             common_boxed_intersect(b, cross, selves[i], rays[i], hits[i]);
     }
 }
+
+/* ---- normals ---- */
+
+COMMON_SEPARATE static void find_points(const common_boxed *restrict b, const common_rays *restrict l, const double *restrict t,
+                                        const double *restrict t_lo, common_lane3 *restrict out)
+{
+    for (uint32_t i = 0; i < N; i++) {
+        const pov_ray ray = common_get_ray(l, i);
+        const common_ray k = common_enter(&ray, b->anchor, b->scale);
+
+        common_put(out, i, pov_two3_hi(common_along_dd(&k, pov_two_of(t[i] * k.per_unit, t_lo[i] * k.per_unit))));
+    }
+}
+
+static void normals_of(const common_boxed *b, common_normal_at *normal_at, const void *self, const pov_ray *const *rays,
+                       const pov_crossing *const *at, pov_vec3 *const *out, uint32_t n)
+{
+    common_by_entry t, t_lo;
+    common_lane3 points;
+    common_rays lanes;
+
+    for (uint32_t first = 0; first < N; first += HALF) {
+        const pov_crossing *const some[HALF] = { at[common_lane_of(first, n)], at[common_lane_of(first + 1, n)],
+                                                 at[common_lane_of(first + 2, n)], at[common_lane_of(first + 3, n)] };
+
+        common_put_four_of(&lanes, first, rays, n);
+        common_put_four_crossings(t, t_lo, first, some);
+    }
+    find_points(b, &lanes, t, t_lo, &points);
+    for (uint32_t i = 0; i < n; i++)
+        normal_at(self, common_get(&points, i), rays[i], at[i], out[i]);
+}
+
+void common_boxed_normal_many(size_t boxed_at, common_normal_at *normal_at, const void *const *selves, const pov_ray *const *rays,
+                              const pov_crossing *const *at, pov_vec3 *const *out, uint32_t n)
+{
+    for (uint32_t i = 0, some; i < n; i += some) {
+        const common_boxed *b = (const common_boxed *)(const void *)((const char *)selves[i] + boxed_at);
+
+        for (some = 1; some < N && i + some < n && selves[i + some] == selves[i];)
+            some++;
+        normals_of(b, normal_at, selves[i], rays + i, at + i, out + i, some);
+    }
+}

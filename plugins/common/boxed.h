@@ -32,16 +32,48 @@ typedef struct common_first_crossings { common_by_entry known, t, t_lo, feature,
 /* What a shape does with rays that come near and start elsewhere, where their first crossings are wanted. */
 typedef void common_first_of_entries(const void *self, const common_entries *restrict l, common_first_crossings *restrict out);
 
+/* The unit normal at a crossing, whose point in the local space is known. */
+typedef void common_normal_at(const void *self, pov_vec3 p, const pov_ray *ray, const pov_crossing *at, pov_vec3 *out);
+void common_boxed_normal_many(size_t boxed_at, common_normal_at *normal_at, const void *const *selves, const pov_ray *const *rays,
+                              const pov_crossing *const *at, pov_vec3 *const *out, uint32_t n);
+
 /* intersect() of a class, and intersect_many(): `boxed_at` is where in an instance its box is; `first` may be NULL. */
 void common_boxed_intersect(const common_boxed *b, common_cross_entry *cross, const void *self, const pov_ray *ray, pov_hits *hits);
 void common_boxed_intersect_many(size_t boxed_at, common_cross_entry *cross, common_first_of_entries *first, const void *const *selves,
                                  const pov_ray *const *rays, pov_hits *const *hits, uint32_t n);
 
 /* A class whose instances have a member `boxed` does all that by its cross(). */
-#define COMMON_BOXED_CLASS(type, cross) COMMON_NARROW_CLASS(type, cross, NULL, NULL)
+#define COMMON_BOXED_CLASS(type, cross)                                                                                      \
+    COMMON_BOXED_RAYS(type, cross, NULL)                                                                                     \
+    static const pov_shape_fast fast = { .size = sizeof(pov_shape_fast), .intersect_many = intersect_many };                 \
+    static const void *extension(const char *name) { return common_is_fast(name) ? &fast : NULL; }
 
 /* The same of one that finds first crossings side by side, and looks at candidates closer (narrow.h). */
 #define COMMON_NARROW_CLASS(type, cross, first, closer)                                                                      \
+    COMMON_BOXED_RAYS(type, cross, first)                                                                                    \
+    static const pov_shape_fast fast = { .size = sizeof(pov_shape_fast), .intersect_many = intersect_many, .narrow = closer };   \
+    static const void *extension(const char *name) { return common_is_fast(name) ? &fast : NULL; }
+
+/* And whose normals need points, which are found side by side: its normal_at() does the rest. */
+#define COMMON_ROUND_CLASS(type, cross, first, closer, normal_at)                                                            \
+    COMMON_BOXED_RAYS(type, cross, first)                                                                                    \
+    static void normal(const void *self, const pov_ray *ray, const pov_crossing *at, pov_vec3 *out)                          \
+    {                                                                                                                        \
+        const common_boxed *b = &((const type *)self)->boxed;                                                                \
+        const common_ray k = common_enter(ray, b->anchor, b->scale);                                                         \
+                                                                                                                             \
+        normal_at(self, pov_two3_hi(common_point(&k, at)), ray, at, out);                                                    \
+    }                                                                                                                        \
+    static void normal_many(const void *const *selves, const pov_ray *const *rays, const pov_crossing *const *at,            \
+                            pov_vec3 *const *out, uint32_t n)                                                                \
+    {                                                                                                                        \
+        common_boxed_normal_many(offsetof(type, boxed), normal_at, selves, rays, at, out, n);                                \
+    }                                                                                                                        \
+    static const pov_shape_fast fast = { .size = sizeof(pov_shape_fast), .intersect_many = intersect_many,                   \
+                                         .normal_many = normal_many, .narrow = closer };                                     \
+    static const void *extension(const char *name) { return common_is_fast(name) ? &fast : NULL; }
+
+#define COMMON_BOXED_RAYS(type, cross, first)                                                                                \
     static void intersect(const void *self, const pov_ray *ray, pov_hits *hits)                                              \
     {                                                                                                                        \
         common_boxed_intersect(&((const type *)self)->boxed, cross, self, ray, hits);                                       \
@@ -49,8 +81,6 @@ void common_boxed_intersect_many(size_t boxed_at, common_cross_entry *cross, com
     static void intersect_many(const void *const *selves, const pov_ray *const *rays, pov_hits *const *hits, uint32_t n)     \
     {                                                                                                                        \
         common_boxed_intersect_many(offsetof(type, boxed), cross, first, selves, rays, hits, n);                             \
-    }                                                                                                                        \
-    static const pov_shape_fast fast = { .size = sizeof(pov_shape_fast), .intersect_many = intersect_many, .narrow = closer };   \
-    static const void *extension(const char *name) { return common_is_fast(name) ? &fast : NULL; }
+    }
 
 #endif

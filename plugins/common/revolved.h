@@ -22,4 +22,11 @@ void common_revolved_ring(common_revolved_part *p, double height, double inner, 
 void common_revolved_outline(common_revolved *r, const common_outline *o, const pov_host *host, pov_reader *in);
 common_look common_revolved_look;
 
+/* Pieces by the Bernstein coefficients of the squared radius from `low` to `high`, and the square of the largest radius; each begins where
+ * the one before ends. What lies within them is closed by two discs, of the features `cap` and the next one, unless `open`. */
+typedef struct common_revolved_piece { double low, high, square[4], widest; } common_revolved_piece;
+typedef struct common_revolved_pieces { uint32_t count; const common_revolved_piece *at; pov_two low, high; uint32_t cap; bool open; } common_revolved_pieces;
+/* First crossings of rays at their box, as sor.c finds them one by one. */
+void common_revolved_first(const common_revolved_pieces *s, const common_entries *restrict l, common_first_crossings *restrict out);
+
 #endif

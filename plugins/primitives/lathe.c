@@ -518,8 +518,6 @@ static uint32_t narrow(const void *self, const pov_own_map *map, uint32_t owner,
     return l->filter.count > 0 ? common_narrow(&l->boxed, common_revolved_look, &l->filter, map, owner, rays, io, n) : n;
 }
 
-COMMON_NARROW_CLASS(lathe, cross, NULL, narrow)
-
 /* ---- points ---- */
 
 static bool inside(const void *self, pov_vec3 point, pov_vec3 point_lo)
@@ -531,11 +529,9 @@ static bool inside(const void *self, pov_vec3 point, pov_vec3 point_lo)
     return common_outline_inside(&l->outline, at);
 }
 
-static void normal(const void *self, const pov_ray *ray, const pov_crossing *at, pov_vec3 *out)
+static void normal_at(const void *self, pov_vec3 p, const pov_ray *ray, const pov_crossing *at, pov_vec3 *out)
 {
     const lathe *l = self;
-    const common_ray k = common_enter(ray, l->boxed.anchor, l->boxed.scale);
-    const pov_vec3 p = pov_two3_hi(common_point(&k, at));
     const double radius = sqrt(p.x * p.x + p.z * p.z);
     double v[2], slope[2], radial;
 
@@ -545,6 +541,8 @@ static void normal(const void *self, const pov_ray *ray, const pov_crossing *at,
     if (!(pov_largest(*out) > 0.0))
         *out = pov_scale(pov_unit(ray->dir), -1.0);
 }
+
+COMMON_ROUND_CLASS(lathe, cross, NULL, narrow, normal_at)
 
 /* The front is to the right of the curve's way. */
 static bool reversed(const void *self, const pov_ray *ray, const pov_crossing *at)

@@ -239,8 +239,6 @@ static uint32_t narrow(const void *self, const pov_own_map *map, uint32_t owner,
     return o->filter.count > 0 ? common_narrow(&o->boxed, look, o, map, owner, rays, io, n) : n;
 }
 
-COMMON_NARROW_CLASS(ovus, cross, NULL, narrow)
-
 static bool inside(const void *self, pov_vec3 point, pov_vec3 point_lo)
 {
     static const pov_vec3 zero = { 0.0, 0.0, 0.0 };
@@ -258,15 +256,13 @@ static bool inside(const void *self, pov_vec3 point, pov_vec3 point_lo)
     }
 }
 
-static void normal(const void *self, const pov_ray *ray, const pov_crossing *at, pov_vec3 *out)
+static void normal_at(const void *self, pov_vec3 p, const pov_ray *ray, const pov_crossing *at, pov_vec3 *out)
 {
-    static const pov_vec3 zero = { 0.0, 0.0, 0.0 };
-    const ovus *o = self;
-    const common_ray k = common_enter(ray, pov_two3_of(zero, zero), o->boxed.scale);
-    const pov_vec3 p = pov_two3_hi(common_point(&k, at));
-
-    *out = pov_unit(across_at(o, p, at->mark.feature));
+    (void)ray;
+    *out = pov_unit(across_at(self, p, at->mark.feature));
 }
+
+COMMON_ROUND_CLASS(ovus, cross, NULL, narrow, normal_at)
 
 /* v is the height's angle, seen from the middle of the axis. Source: measured on POV-Ray 3.7. */
 static void uv(const void *self, pov_vec3 point, const pov_mark *mark, double out[2])

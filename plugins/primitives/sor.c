@@ -10,7 +10,7 @@
 #include "common/turns.h"
 
 /* Heights, the Bernstein coefficients of the squared radius between them, and the largest of these. */
-typedef struct piece { double low, high, square[4], widest; } piece;
+typedef common_revolved_piece piece;
 
 typedef struct sor {
     uint32_t count;
@@ -326,14 +326,20 @@ static void cross(const void *self, const pov_ray *ray, const common_entry *e, p
         report_cap(&n, s, true, hits);
 }
 
+static void first(const void *self, const common_entries *restrict l, common_first_crossings *restrict out)
+{
+    const sor *s = self;
+    const common_revolved_pieces all = { s->count, s->at, s->low, s->high, LOW_CAP, s->open };
+
+    common_revolved_first(&all, l, out);
+}
+
 static uint32_t narrow(const void *self, const pov_own_map *map, uint32_t owner, const pov_rays *rays, pov_candidate *io, uint32_t n)
 {
     const sor *s = self;
 
     return common_narrow(&s->boxed, common_revolved_look, &s->filter, map, owner, rays, io, n);
 }
-
-COMMON_NARROW_CLASS(sor, cross, NULL, narrow)
 
 /* ---- points ---- */
 
@@ -358,11 +364,9 @@ static bool inside(const void *self, pov_vec3 point, pov_vec3 point_lo)
     return false;
 }
 
-static void normal(const void *self, const pov_ray *ray, const pov_crossing *at, pov_vec3 *out)
+static void normal_at(const void *self, pov_vec3 p, const pov_ray *ray, const pov_crossing *at, pov_vec3 *out)
 {
     const sor *s = self;
-    const common_ray k = common_enter(ray, s->boxed.anchor, s->boxed.scale);
-    const pov_vec3 p = pov_two3_hi(common_point(&k, at));
     double slope;
 
     if (at->mark.feature >= LOW_CAP) {
@@ -374,6 +378,8 @@ static void normal(const void *self, const pov_ray *ray, const pov_crossing *at,
     if (!(pov_largest(*out) > 0.0))
         *out = pov_scale(pov_unit(ray->dir), -1.0);
 }
+
+COMMON_ROUND_CLASS(sor, cross, first, narrow, normal_at)
 
 static bool open(const void *self) { return ((const sor *)self)->open; }
 
