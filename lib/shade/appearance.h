@@ -24,7 +24,7 @@ typedef struct onward {
 typedef struct appearance {
     bool varies;                 /* the texture varies: the members below are those of the constant material, with lit,
                                   * reflective and transmissive true if they may be true anywhere */
-    bool bends;                  /* of a texture that varies: only the normal does, and these are the members */
+    bool one_pigment;            /* of a texture that varies: only the normal does, and these are the members */
     bool lit;                    /* light changes its colour */
     bool gathers;                /* light from other surfaces is seen of it */
     bool reflective, transmissive;   /* reflected or transmitted rays continue */

@@ -360,7 +360,7 @@ void paint_surfaces(const shading *scene, surfaces *s, const painted *p)
             lanes_put(&s->geometry.bent, i, t->normal);
             bent |= (uint64_t)1 << i;
         }
-        if (s->at[i].appearance->bends)
+        if (s->at[i].appearance->one_pigment)
             continue;
         if (t->finish != last)
             of = shading_finish(scene, last = t->finish);

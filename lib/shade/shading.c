@@ -13,7 +13,7 @@
 static uint32_t larger(uint32_t a, uint32_t b) { return a > b ? a : b; }
 
 /* A texture of one pigment, whose normal alone varies. */
-static bool only_bends(const material *of)
+static bool has_one_pigment(const material *of)
 {
     const texture *t = of->texture;
 
@@ -23,13 +23,13 @@ static bool only_bends(const material *of)
 /* Of a texture that varies it says what there may be anywhere. */
 static void make_appearance(shading *s, appearance *out, const model *m, const material *of)
 {
-    const bool bends = only_bends(of);
-    const pigment whole = { of->pigment, of->filter, of->transmit }, at = bends ? of->texture->pigment->most : whole;
+    const bool one = has_one_pigment(of);
+    const pigment whole = { of->pigment, of->filter, of->transmit }, at = one ? of->texture->pigment->most : whole;
 
-    appearance_make(out, s->plan, m, bends ? &of->texture->finish : &of->finish, &at);
+    appearance_make(out, s->plan, m, one ? &of->texture->finish : &of->finish, &at);
     appearance_set_material(out, of);
     out->varies = of->texture != NULL;
-    out->bends = bends;
+    out->one_pigment = one;
     out->needs_point |= out->varies;
     out->lasts = true;
     out->even = !out->reflective && !out->transmissive && !of->inside && !(out->kinds & (FINISH_IRID | FINISH_CRAND)) &&
