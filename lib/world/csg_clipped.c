@@ -246,6 +246,15 @@ static bool needs_normal(const clip_search *s, const pov_crossing *first, const 
     return !s->unsure && first && !is_enough(&s->w->tree->clipped, first, hits);
 }
 
+/* Is the ray inside the surface half way between the ends, where nothing crosses it? Doubles will do there. */
+static bool is_inside(const clip_search *s, const csg_member *m, const pov_ray *own)
+{
+    static const pov_vec3 zero = { 0.0, 0.0, 0.0 };
+    const double t = 0.5 * (fmax(s->enter, 0.0) + s->leave);
+
+    return m->shape->inside(m->instance, pov_add(own->org, pov_scale(own->dir, t)), zero) != m->inverse;
+}
+
 /* `first`: of the surface, or NULL; `normal`: where that is needed. False: open. */
 static bool conclude(clip_search *s, const pov_ray *own, const pov_crossing *first, const pov_vec3 *normal, double off, pov_hits *hits)
 {
@@ -258,7 +267,7 @@ static bool conclude(clip_search *s, const pov_ray *own, const pov_crossing *fir
         return false;
     hits->escalated += s->escalated;
     if (!first)
-        return !c->shown || csg_member_holds(s->w, m, 0.5 * (fmax(s->enter, 0.0) + s->leave)) == m->inverse || report_clip(s, hits);
+        return !c->shown || !is_inside(s, m, own) || report_clip(s, hits);
     if (c->shown && !enough && !enters && s->enter >= -off) {
         if (off > 0.0 && s->enter <= off)
             return false;
