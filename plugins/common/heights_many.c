@@ -2,7 +2,7 @@
 
 #include "common/simd.h"
 
-enum { LANES = COMMON_WALKERS, MANY = 64, HALVES = LANES / COMMON_ENTRIES };
+enum { LANES = COMMON_WALK_LANES, MANY = 64, HALVES = LANES / COMMON_ENTRIES };
 
 typedef double by_lane[LANES];
 

@@ -2,7 +2,7 @@
 
 #include "common/simd.h"
 
-enum { N = COMMON_WALKERS, SIDE = COMMON_RELIEF_SIDE, PARTS = COMMON_RELIEF_PARTS };
+enum { N = COMMON_WALK_LANES, SIDE = COMMON_RELIEF_SIDE, PARTS = COMMON_RELIEF_PARTS };
 
 /* ---- making ---- */
 
@@ -72,7 +72,7 @@ COMMON_SEPARATE static void begin(const common_relief_ranges *restrict g, common
         w->t[i] = w->behind[i] = 0.0f;
         w->x[i] = between((int32_t)x, 0, g->wide - 1);
         w->z[i] = between((int32_t)z, 0, g->deep - 1);
-        w->level[i] = g->top;
+        w->level[i] = g->top > 0 ? g->top - 1 : 0;   /* the last one seldom leaves anything out */
         w->is_near[i] = w->past[i] = 0;
         w->unsure[i] = starts_at_line(x, w->d[0][i], g->wide, g->off) | starts_at_line(z, w->d[2][i], g->deep, g->off);
         w->goes[i] &= ~w->unsure[i];
@@ -120,17 +120,16 @@ COMMON_SEPARATE static int32_t step(const common_relief_ranges *restrict g, cons
         const int32_t right = by_x > 0.0f ? 1 : 0, up = by_z > 0.0f ? 1 : 0;
         const float end_x = ((float)((part_x + right) << shift) - ox) * by_x, end_z = ((float)((part_z + up) << shift) - oz) * by_z;
         const int32_t is_x = end_x < end_z ? -1 : 0;
-        const float end = is_x ? end_x : end_z, inverse = fabsf(is_x ? by_x : by_z), reach = lesser(end, to);
-        const float there_x = ox + reach * dx, there_z = oz + reach * dz;
-        const float ahead = off * inverse, from = oy + (t - w->behind[i]) * dy, until = oy + (reach + ahead) * dy;
+        const float end = is_x ? end_x : end_z, inverse = fabsf(is_x ? by_x : by_z), reach = lesser(end, to), aside = is_x ? dz : dx;
+        const float there = (is_x ? oz : ox) + reach * aside, ahead = off * inverse;
+        const float from = oy + (t - w->behind[i]) * dy, until = oy + (reach + ahead) * dy;
         const int32_t is_low = lesser(from, until) - 1.0f <= high ? -1 : 0, may_hit = greater(from, until) + 1.0f >= low ? is_low & ~past : 0;
         const int32_t onward = goes & ~may_hit, ends = end > to ? onward : 0;
-        const float slope = inverse * fabsf(is_x ? dz : dx), near = off * greater(slope, 1.0f);
-        const int32_t corner = beside_line(is_x ? there_z : there_x) < near ? onward & ~ends : 0;
-        const int32_t beside_x = between((int32_t)there_x, part_x << shift, (part_x << shift) + last);
-        const int32_t beside_z = between((int32_t)there_z, part_z << shift, (part_z << shift) + last);
-        const int32_t next_x = is_x ? right ? (part_x << shift) + last + 1 : (part_x << shift) - 1 : beside_x;
-        const int32_t next_z = is_x ? beside_z : up ? (part_z << shift) + last + 1 : (part_z << shift) - 1;
+        const float near = off * greater(inverse * fabsf(aside), 1.0f);
+        const int32_t corner = beside_line(there) < near ? onward & ~ends : 0;
+        const int32_t along = is_x ? right : up, next = (((is_x ? part_x : part_z) + along) << shift) - 1 + along;
+        const int32_t first = (is_x ? part_z : part_x) << shift, beside = between((int32_t)there, first, first + last);
+        const int32_t next_x = is_x ? next : beside, next_z = is_x ? beside : next;
         const int32_t outside = (next_x | next_z | (g->wide - 1 - next_x) | (g->deep - 1 - next_z)) >> 31;
         const int32_t on = onward & ~ends & ~corner & ~outside, higher = ((next_x ^ x) | (next_z ^ z)) >> shift >> 2 != 0 ? on : 0;
         const int32_t stops = goes & may_hit & (level == 0 ? -1 : 0), deeper = goes & may_hit & ~stops;

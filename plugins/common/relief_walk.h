@@ -4,7 +4,7 @@
 
 #include "common/relief.h"
 
-enum { COMMON_WALKERS = 16, COMMON_WALK_MOST = 1 << 11 };
+enum { COMMON_WALK_LANES = 16, COMMON_WALK_MOST = 1 << 11 };
 
 /* Of a relief's levels: the least height of a part, and the greatest times 65536. */
 typedef struct common_relief_ranges {
@@ -16,18 +16,18 @@ typedef struct common_relief_ranges {
 
 bool common_relief_ranges_make(common_relief_ranges *g, const common_relief *r, const pov_host *host, pov_reader *in);
 
-typedef float common_walker[COMMON_WALKERS];
-typedef int32_t common_walker_bits[COMMON_WALKERS];
+typedef float common_walk_lane[COMMON_WALK_LANES];
+typedef int32_t common_walk_bits[COMMON_WALK_LANES];
 
 /* By lane, in cells and 1/65536: a ray from o along d, t from 0 to `to`, which is rounded up. */
 typedef struct common_walk {
-    common_walker o[3], d[3], to;
-    common_walker inverse[2], t, behind;             /* along x and z; where it is, and how much before that is looked at too */
-    common_walker_bits x, z, level;
-    common_walker_bits goes;                         /* all bits: on */
-    common_walker_bits is_near;                      /* at a cell that it may hit */
-    common_walker_bits unsure;                       /* so near a corner of cells that it may pass others */
-    common_walker_bits past;                         /* the cell is known not to be hit */
+    common_walk_lane o[3], d[3], to;
+    common_walk_lane inverse[2], t, behind;             /* along x and z; where it is, and how much before that is looked at too */
+    common_walk_bits x, z, level;
+    common_walk_bits goes;                         /* all bits: on */
+    common_walk_bits is_near;                      /* at a cell that it may hit */
+    common_walk_bits unsure;                       /* so near a corner of cells that it may pass others */
+    common_walk_bits past;                         /* the cell is known not to be hit */
 } common_walk;
 
 /* o, d, to and goes are there. */
