@@ -173,7 +173,7 @@ static void read_irid(pov_reader *in, void *self, keyword_id keyword)
 
 /* ---- finish ---- */
 
-static void take_finish(pov_reader *in, void *self, const value *v)
+void parse_finish_take(pov_reader *in, void *self, const value *v)
 {
     surface_parsed *s = self;
 
@@ -269,7 +269,7 @@ void parse_finish(pov_reader *in, surface_parsed *s)
     static const item items[] = { PARSE_FINISH_ROWS(parse_finish_item, parse_finish_reflection), { KEYWORD_IRID, read_irid }, { KEYWORD_SUBSURFACE, read_subsurface }, { KEYWORD_IOR, read_old_ior }, { KEYWORD_CAUSTICS, read_old_caustics },
                                   { KEYWORD_REFRACTION, read_old_refraction } };
     static const item_list list = { "an item of the finish", ITEMS(items), finish_old, NULL, parse_finish_coming,
-                                    VALUE_FINISH, take_finish };
+                                    VALUE_FINISH, parse_finish_take };
 
     s->has_look = true;
     s->albedos = 0;

@@ -6,6 +6,8 @@
 
 void parse_finish_item(pov_reader *in, void *self, keyword_id keyword);
 void parse_finish_reflection(pov_reader *in, void *self, keyword_id keyword);
+/* That of a name. */
+void parse_finish_take(pov_reader *in, void *self, const value *v);
 /* Their rows of a table of items. */
 #define PARSE_FINISH_ROWS(one, reflection) \
     { KEYWORD_AMBIENT, one }, { KEYWORD_EMISSION, one }, { KEYWORD_DIFFUSE, one }, { KEYWORD_BRILLIANCE, one }, \

@@ -181,6 +181,34 @@ static void take_texture(pov_reader *in, void *self, const value *v)
         take_whole(r, from->whole);
 }
 
+static void check_plain(pov_reader *in, const texture_reading *r)
+{
+    if (has_pattern(r))
+        report_fail(in, &in->last, POV_E_SYNTAX, "a part of a texture has no place beside a pattern of textures");
+}
+
+/* The name of a part stands for its block, as in POV-Ray. */
+static bool take_part(pov_reader *in, texture_reading *r)
+{
+    surface_parsed *s = r->surface;
+    value v;
+
+    if (items_read_named(in, VALUE_PIGMENT, &v)) {
+        check_plain(in, r);
+        s->pigment = in->failed ? NULL : v.as.part;
+        s->whole = NULL;
+    } else if (items_read_named(in, VALUE_NORMAL, &v)) {
+        check_plain(in, r);
+        s->normal = in->failed ? NULL : v.as.part;
+    } else if (items_read_named(in, VALUE_FINISH, &v)) {
+        if (!in->failed)
+            parse_finish_take(in, s, &v);
+    } else {
+        return false;
+    }
+    return true;
+}
+
 /* ---- contents ---- */
 
 static bool is_move(keyword_id keyword)
@@ -241,7 +269,7 @@ static void read_content(pov_reader *in, surface_parsed *s, int end)
     parse_pattern_begin(&r.pattern);
     while (!in->failed && in->token.kind != end) {
         if (!read_pattern(in, &r) && !parse_pattern_modifier(in, &r.pattern) && !read_old_colour(in, s) &&
-            !items_try(in, &list, &r))
+            !items_try(in, &list, &r) && !take_part(in, &r))
             items_refuse(in, &list);
         move_plain(in, &r);
     }

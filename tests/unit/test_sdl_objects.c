@@ -241,6 +241,35 @@ static void a_texture_begins_anew_and_what_follows_changes_it(void **state)
     reading_end(&r);
 }
 
+/* As POV-Ray takes them; materials that are the same are kept once. */
+static void names_of_parts_stand_right_in_a_texture(void **state)
+{
+    static const char *const pairs[][2] = {
+        { "P", "pigment { P }" },
+        { "F P", "finish { F } pigment { P }" },
+        { "T F", "T finish { F }" },
+        { "T Ps[1] N scale 2", "T pigment { Ps[1] } normal { N } scale 2" },
+        { "bozo texture_map { [0 P][1 T] }", "bozo texture_map { [0 pigment { P }][1 T] }" },
+        { "P finish { phong 1 }", "pigment { P } finish { phong 1 }" },
+    };
+    (void)state;
+
+    for (size_t i = 0; i < sizeof pairs / sizeof pairs[0]; i++) {
+        char text[768];
+        reading r;
+
+        snprintf(text, sizeof text,
+                 "#version 3.7; #declare P = pigment { rgb x } #declare N = normal { bumps }\n"
+                 "#declare F = finish { ambient 1 } #declare T = texture { pigment { bozo } }\n"
+                 "#declare Ps = array[2] { P, pigment { granite } } sphere { 0, 1 texture { %s } } sphere { 0, 1 texture { %s } }",
+                 pairs[i][0], pairs[i][1]);
+        read_text(&r, text);
+        assert_int_equal(r.model.leaves.count, 2);
+        assert_int_equal(r.model.materials.count, 1);
+        reading_end(&r);
+    }
+}
+
 static void an_opaque_layer_hides_the_one_below(void **state)
 {
     reading r;
@@ -411,6 +440,7 @@ int main(void)
         cmocka_unit_test(textures_have_their_defaults),
         cmocka_unit_test(modifiers_stand_in_any_order_and_number),
         cmocka_unit_test(a_texture_begins_anew_and_what_follows_changes_it),
+        cmocka_unit_test(names_of_parts_stand_right_in_a_texture),
         cmocka_unit_test(an_opaque_layer_hides_the_one_below),
         cmocka_unit_test(flags_are_kept_and_inverse_undoes_itself),
         cmocka_unit_test(a_number_switches_a_flag_off_again),
