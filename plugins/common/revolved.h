@@ -29,4 +29,16 @@ typedef struct common_revolved_pieces { uint32_t count; const common_revolved_pi
 /* First crossings of rays at their box, as sor.c finds them one by one. */
 void common_revolved_first(const common_revolved_pieces *s, const common_entries *restrict l, common_first_crossings *restrict out);
 
+/* A piece of a curve that is turned: Bernstein coefficients of y, y^2 and r^2 in one order; its heights, and the square of its largest
+ * radius. */
+enum { COMMON_TURNED_ORDER = 6 };
+typedef struct common_turned {
+    common_piece curve;
+    int order;
+    double y[COMMON_TURNED_ORDER + 1], y_square[COMMON_TURNED_ORDER + 1], r_square[COMMON_TURNED_ORDER + 1];
+    double low, high, widest;
+} common_turned;
+/* First crossings of rays at their box with straight ones, as lathe.c finds them one by one. */
+void common_turned_first(const common_turned *parts, uint32_t count, const common_entries *restrict l, common_first_crossings *restrict out);
+
 #endif

@@ -11,15 +11,8 @@
 
 #include <string.h>
 
-enum { ORDER = 6 };
-
-/* Pieces of the curve with what rays want of them: Bernstein coefficients of y, y^2 and r^2 in one order. */
-typedef struct part {
-    common_piece curve;
-    int order;
-    double y[ORDER + 1], y_square[ORDER + 1], r_square[ORDER + 1];
-    double low, high, widest;      /* heights, and the square of the largest radius */
-} part;
+enum { ORDER = COMMON_TURNED_ORDER };
+typedef common_turned part;
 
 typedef struct lathe {
     common_outline outline;
@@ -511,6 +504,13 @@ static void cross(const void *self, const pov_ray *ray, const common_entry *e, p
     }
 }
 
+static void first(const void *self, const common_entries *restrict e, common_first_crossings *restrict out)
+{
+    const lathe *l = self;
+
+    common_turned_first(l->parts, l->filter.count, e, out);
+}
+
 static uint32_t narrow(const void *self, const pov_own_map *map, uint32_t owner, const pov_rays *rays, pov_candidate *io, uint32_t n)
 {
     const lathe *l = self;
@@ -542,7 +542,7 @@ static void normal_at(const void *self, pov_vec3 p, const pov_ray *ray, const po
         *out = pov_scale(pov_unit(ray->dir), -1.0);
 }
 
-COMMON_ROUND_CLASS(lathe, cross, NULL, narrow, normal_at)
+COMMON_ROUND_CLASS(lathe, cross, first, narrow, normal_at)
 
 /* The front is to the right of the curve's way. */
 static bool reversed(const void *self, const pov_ray *ray, const pov_crossing *at)
