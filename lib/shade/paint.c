@@ -289,11 +289,35 @@ static bool join(const shading *scene, surfaces *s, painted *p, bool *stacks)
     return joined;
 }
 
+/* Surfaces of one pigment need no terms: their normals alone are bent. False: they are not all of one such material. */
+static bool find_normals_alike(const shading *scene, surfaces *s, painted *p)
+{
+    const texture *of = s->count > 0 && s->at[0].appearance->one_pigment ? s->at[0].appearance->material->texture : NULL;
+    group g;
+
+    if (!of || !of->normal || !are_alike(scene, s))
+        return false;
+    if (!scene->uvs)
+        memset(&g.points.uv, 0, sizeof g.points.uv);
+    begin(&g, of);
+    add_all(&g, scene, s);
+    s->geometry.bent = g.points.normal;
+    normal_eval(scene->model, of->normal, NULL, &g.points, g.count, &s->geometry.bent);
+    s->geometry.shading = &s->geometry.bent;
+    for (uint32_t i = 0; i <= s->count; i++)
+        p->first[i] = 0;
+    p->merged = 0;
+    return true;
+}
+
 paint_kind paint_evaluate(const shading *scene, surfaces *s, painted *p)
 {
-    const uint32_t count = evaluate(scene, s, p);
     bool stacks = false, single = true;
+    uint32_t count;
 
+    if (find_normals_alike(scene, s, p))
+        return PAINT_SINGLE;
+    count = evaluate(scene, s, p);
     for (uint32_t i = 0; i < s->count; i++) {
         const stack *of = s->at[i].appearance->stack;
 
