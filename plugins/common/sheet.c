@@ -3,10 +3,14 @@
 #include "common/face_filter.h"
 #include "common/simd.h"
 
+/* Points are finite, or nothing is made of the box. */
+static inline double lesser(double a, double b) { return a < b ? a : b; }
+static inline double greater(double a, double b) { return a > b ? a : b; }
+
 static void include(pov_box *box, pov_vec3 p)
 {
-    box->lo = pov_vec3_of(fmin(box->lo.x, p.x), fmin(box->lo.y, p.y), fmin(box->lo.z, p.z));
-    box->hi = pov_vec3_of(fmax(box->hi.x, p.x), fmax(box->hi.y, p.y), fmax(box->hi.z, p.z));
+    box->lo = pov_vec3_of(lesser(box->lo.x, p.x), lesser(box->lo.y, p.y), lesser(box->lo.z, p.z));
+    box->hi = pov_vec3_of(greater(box->hi.x, p.x), greater(box->hi.y, p.y), greater(box->hi.z, p.z));
 }
 
 /* ---- made ---- */
