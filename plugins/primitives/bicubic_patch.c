@@ -11,7 +11,8 @@ typedef struct patch {
 
 /* ---- loading ---- */
 
-typedef struct reading { const pov_host *host; pov_reader *in; pov_vec3 point[16]; uint32_t steps[2]; } reading;
+/* Points fill up vectors with a fourth coordinate of zero. */
+typedef struct reading { const pov_host *host; pov_reader *in; double point[16][4]; uint32_t steps[2]; } reading;
 
 static uint32_t read_steps(reading *r)
 {
@@ -69,34 +70,42 @@ static void blend(double u, double b[4], double slope[4])
 
 static void surface_at(void *user, double u, double v, pov_vec3 *at, pov_vec3 *normal)
 {
-    const pov_vec3 zero = { 0.0, 0.0, 0.0 };
     const reading *r = user;
-    double a[4], b[4], da[4], db[4];
-    pov_vec3 by_u = zero, by_v = zero;
+    double a[4], b[4], da[4], db[4], sum[4] = { 0.0, 0.0, 0.0, 0.0 }, by_u[4] = { 0.0, 0.0, 0.0, 0.0 }, by_v[4] = { 0.0, 0.0, 0.0, 0.0 };
 
     blend(u, a, da);
     blend(v, b, db);
-    *at = zero;
     for (int j = 0; j < 4; j++)
         for (int i = 0; i < 4; i++) {
-            *at = pov_add(*at, pov_scale(r->point[4 * j + i], a[i] * b[j]));
-            by_u = pov_add(by_u, pov_scale(r->point[4 * j + i], da[i] * b[j]));
-            by_v = pov_add(by_v, pov_scale(r->point[4 * j + i], a[i] * db[j]));
+            const double *p = r->point[4 * j + i], weight = a[i] * b[j], along_u = da[i] * b[j], along_v = a[i] * db[j];
+
+            for (int k = 0; k < 4; k++)
+                sum[k] += p[k] * weight;
+            for (int k = 0; k < 4; k++)
+                by_u[k] += p[k] * along_u;
+            for (int k = 0; k < 4; k++)
+                by_v[k] += p[k] * along_v;
         }
-    *normal = pov_unit(pov_cross_product(by_v, by_u));
+    *at = pov_vec3_of(sum[0], sum[1], sum[2]);
+    *normal = pov_unit(pov_cross_product(pov_vec3_of(by_v[0], by_v[1], by_v[2]), pov_vec3_of(by_u[0], by_u[1], by_u[2])));
 }
 
 static void parse(void *self, const pov_host *host, pov_reader *in)
 {
     static const double square[4][2] = { { 0.0, 0.0 }, { 1.0, 0.0 }, { 1.0, 1.0 }, { 0.0, 1.0 } };
-    reading r = { host, in, { { 0.0, 0.0, 0.0 } }, { 0, 0 } };
+    reading r = { host, in, { { 0.0, 0.0, 0.0, 0.0 } }, { 0, 0 } };
     patch *p = self;
 
     memcpy(p->uv, square, sizeof square);
     read_words(p, &r);
     for (int i = 0; i < 16; i++) {
+        pov_vec3 at = { 0.0, 0.0, 0.0 };
+
         host->accept(in, ",");
-        host->vector(in, &r.point[i]);
+        host->vector(in, &at);
+        r.point[i][0] = at.x;
+        r.point[i][1] = at.y;
+        r.point[i][2] = at.z;
     }
     /* In POV-Ray v_steps are those along a row of points. */
     common_sheet_make(&p->sheet, host, in, (1u << r.steps[1]) + 1, (1u << r.steps[0]) + 1, surface_at, &r);
