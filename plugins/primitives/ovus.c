@@ -204,6 +204,160 @@ static void cross(const void *self, const pov_ray *ray, const common_entry *e, p
         cross_arc(&n, o, hits);
 }
 
+/* ---- along several rays ---- */
+
+/* By lane: the line, and what is the square of its direction; crossings up to `begin` do not count. */
+typedef struct lines { common_by_entry ox, oy, oz, dx, dy, dz, base, end, square, begin, low, high; } lines;
+
+/* The arc's stretch: its equation, the sheet's, and 1 where there is one. */
+typedef struct arcs { common_by_entry lo, length, g0, g1, g2, may; } arcs;
+
+/* The first crossing, its part, and above 0 where it is open. */
+typedef struct sums { common_by_entry t, part, open; } sums;
+
+COMMON_SEPARATE static void find_lines(const common_entries *restrict l, lines *restrict n, sums *restrict of)
+{
+    for (uint32_t i = 0; i < COMMON_ENTRIES; i++) {
+        const double base = l->lo[i], dx = l->d[0][i], dy = l->d[1][i], dz = l->d[2][i], end = l->hi[i] - base;
+        const double y = pov_along(pov_two_of(l->f[2][i], l->f[3][i]), base, dy, l->d_lo[1][i]), far = y + end * dy, near = y + 0.0 * dy;
+
+        n->ox[i] = pov_along(pov_two_of(l->f[0][i], l->f[1][i]), base, dx, l->d_lo[0][i]);
+        n->oy[i] = y;
+        n->oz[i] = pov_along(pov_two_of(l->f[4][i], l->f[5][i]), base, dz, l->d_lo[2][i]);
+        n->dx[i] = dx;
+        n->dy[i] = dy;
+        n->dz[i] = dz;
+        n->base[i] = base;
+        n->end[i] = end;
+        n->square[i] = dx * dx + dy * dy + dz * dz;
+        n->begin[i] = l->least[i] - base;
+        n->low[i] = (dy < 0.0 ? far : near) - MARGIN;
+        n->high[i] = (dy < 0.0 ? near : far) + MARGIN;
+        of->t[i] = HUGE_VAL;
+        of->part[i] = 0.0;
+        of->open[i] = fabs(dy) > 0x1p-100 ? 0.0 : 1.0;
+    }
+}
+
+/* As report(): a crossing of a part counts at the part's own heights. Of two that are near each other, or one near the beginning, it is not
+ * known which is the first. */
+COMMON_INLINE void add(const ovus *o, const lines *restrict n, uint32_t i, double found, double t, double part, sums *restrict io)
+{
+    const double y = n->oy[i] + t * n->dy[i], at = y < o->low ? (double)BOTTOM : y > o->high ? (double)TOP : (double)ARC;
+    const double off = 0x1p-40 * (1.0 + fabs(n->base[i])), begin = n->begin[i], own = at == part ? found : 0.0;
+    const double ahead = t > begin + off ? own : 0.0, behind = t < begin - off ? own : 0.0, near = fabs(t - io->t[i]) > off ? 0.0 : ahead;
+    const double first = t < io->t[i] ? ahead : 0.0;
+
+    io->open[i] += own - (ahead + behind) + near;
+    io->t[i] = first > 0.0 ? t : io->t[i];
+    io->part[i] = first > 0.0 ? part : io->part[i];
+}
+
+/* As cross_sphere(). */
+COMMON_SEPARATE static void add_sphere_lanes(const ovus *self, uint32_t part, const lines *restrict n, sums *restrict io)
+{
+    const ovus o = *self;
+    const double radius = part == TOP ? o.top : o.bottom, middle_y = part == TOP ? o.bottom : 0.0, number = part;
+
+    for (uint32_t i = 0; i < COMMON_ENTRIES; i++) {
+        const double x = n->ox[i] - 0.0, y = n->oy[i] - middle_y, z = n->oz[i] - 0.0, dx = n->dx[i], dy = n->dy[i], dz = n->dz[i], a = n->square[i];
+        const double middle = -(x * dx + y * dy + z * dz) / a, wx = x + dx * middle, wy = y + dy * middle, wz = z + dz * middle;
+        const double rest = radius * radius - (wx * wx + wy * wy + wz * wz), half = sqrt(common_greater(rest, 0.0) / a), met = rest > 0.0 ? 1.0 : 0.0;
+        const double here = part == TOP ? n->high[i] < o.high ? 0.0 : met : n->low[i] > o.low ? 0.0 : met;
+
+        add(&o, n, i, here, middle - half, number, io);
+        add(&o, n, i, here, middle + half, number, io);
+    }
+}
+
+/* As cross_arc(). */
+COMMON_SEPARATE static bool find_arcs(const ovus *self, const lines *restrict n, arcs *restrict out, common_bernsteins *restrict to)
+{
+    const double low = self->low, high = self->high, h = self->h, a = self->a, arc = self->arc;
+    double any[COMMON_ENTRIES / 2];
+
+    for (uint32_t i = 0; i < COMMON_ENTRIES; i++) {
+        const double oy = n->oy[i], ky = n->dy[i], one = (low - 0x1p-40 - oy) / ky, other = (high + 0x1p-40 - oy) / ky, end = n->end[i];
+        const double near = one < other ? one : other, far = one < other ? other : one, lo = near > 0.0 ? near : 0.0, hi = far < end ? far : end;
+        const double length = hi - lo, px = n->ox[i] + n->dx[i] * lo, py = oy + ky * lo - h, pz = n->oz[i] + n->dz[i] * lo;
+        const double dx = n->dx[i] * length, dy = ky * length, dz = n->dz[i] * length, may = length > 0.0 ? 1.0 : 0.0;
+        const double g0 = px * px + py * py + pz * pz + a * a - arc * arc, g1 = 2.0 * (px * dx + py * dy + pz * dz), g2 = dx * dx + dy * dy + dz * dz;
+        const double q0 = 4.0 * a * a * (px * px + pz * pz), q1 = 8.0 * a * a * (px * dx + pz * dz), q2 = 4.0 * a * a * (dx * dx + dz * dz);
+        const double c0 = g0 * g0 - q0, c1 = 2.0 * g0 * g1 - q1, c2 = 2.0 * g0 * g2 + g1 * g1 - q2, c3 = 2.0 * g1 * g2, c4 = g2 * g2;
+        double b[5] = { c0, c1 / 4.0, c2 / 6.0, c3 / 4.0, c4 }, most;
+
+        COMMON_UNROLLED for (int k = 1; k <= 4; k++)
+            COMMON_UNROLLED for (int j = 4; j >= k; j--)
+                b[j] += b[j - 1];
+        most = common_greater(common_greater(common_greater(fabs(b[0]), fabs(b[1])), common_greater(fabs(b[2]), fabs(b[3]))), fabs(b[4]));
+        to->b[0][i] = may > 0.0 ? b[0] : 1.0;
+        to->b[1][i] = may > 0.0 ? b[1] : 1.0;
+        to->b[2][i] = may > 0.0 ? b[2] : 1.0;
+        to->b[3][i] = may > 0.0 ? b[3] : 1.0;
+        to->b[4][i] = may > 0.0 ? b[4] : 1.0;
+        to->noise[i] = 4.0 * 0x1p-53 * (4 + 1) * most;
+        to->beyond[i] = to->within[i] = -HUGE_VAL;
+        out->lo[i] = lo;
+        out->length[i] = length;
+        out->g0[i] = g0;
+        out->g1[i] = g1;
+        out->g2[i] = g2;
+        out->may[i] = may;
+    }
+    for (uint32_t i = 0; i < COMMON_ENTRIES / 2; i++)
+        any[i] = out->may[i] + out->may[i + COMMON_ENTRIES / 2];
+    return any[0] + any[1] + any[2] + any[3] > 0.0;
+}
+
+/* The first root, if it is on the outer sheet and at the arc's heights; else others count. */
+COMMON_SEPARATE static void add_arcs(const ovus *self, const lines *restrict n, const arcs *restrict s, const common_first_of_bernsteins *restrict at,
+                                     sums *restrict io)
+{
+    const ovus o = *self;
+
+    for (uint32_t i = 0; i < COMMON_ENTRIES; i++) {
+        const double root = at->root[i], t = s->lo[i] + root * s->length[i], found = at->found[i] * s->may[i];
+        const double outer = (s->g2[i] * root + s->g1[i]) * root + s->g0[i] <= 0.0 ? found : 0.0, y = n->oy[i] + t * n->dy[i];
+        const double off = 0x1p-40 * (1.0 + fabs(n->base[i])), ahead = t > n->begin[i] + off ? outer : 0.0;
+        const double counts = y < o.low ? 0.0 : y > o.high ? 0.0 : ahead;
+
+        io->open[i] += s->may[i] * at->open[i] + (at->more[i] > 0.0 ? found - counts : 0.0);
+        add(&o, n, i, outer, t, (double)ARC, io);
+    }
+}
+
+COMMON_SEPARATE static void tell(const lines *restrict n, const sums *restrict of, common_first_crossings *restrict out)
+{
+    for (uint32_t i = 0; i < COMMON_ENTRIES; i++) {
+        const pov_two t = pov_two_sum(n->base[i], of->t[i]);
+
+        out->known[i] = of->open[i] > 0.0 ? 0.0 : of->t[i] < HUGE_VAL ? 1.0 : 0.0;
+        out->t[i] = t.hi;
+        out->t_lo[i] = t.lo;
+        out->feature[i] = of->part[i];
+        out->u[i] = 0.0;
+        out->v[i] = 0.0;
+    }
+}
+
+static void first(const void *self, const common_entries *restrict l, common_first_crossings *restrict out)
+{
+    common_first_of_bernsteins at;
+    common_bernsteins all;
+    lines n;
+    sums of;
+    arcs s;
+
+    find_lines(l, &n, &of);
+    add_sphere_lanes(self, BOTTOM, &n, &of);
+    add_sphere_lanes(self, TOP, &n, &of);
+    if (find_arcs(self, &n, &s, &all)) {
+        common_bernstein_first_many(&all, 4, &at);
+        add_arcs(self, &n, &s, &at, &of);
+    }
+    tell(&n, &of, out);
+}
+
 /* ---- points ---- */
 
 /* Outward, of any length. */
@@ -262,7 +416,7 @@ static void normal_at(const void *self, pov_vec3 p, const pov_ray *ray, const po
     *out = pov_unit(across_at(self, p, at->mark.feature));
 }
 
-COMMON_ROUND_CLASS(ovus, cross, NULL, narrow, normal_at)
+COMMON_ROUND_CLASS(ovus, cross, first, narrow, normal_at)
 
 /* v is the height's angle, seen from the middle of the axis. Source: measured on POV-Ray 3.7. */
 static void uv(const void *self, pov_vec3 point, const pov_mark *mark, double out[2])
