@@ -313,25 +313,12 @@ static void close_writer(file_writer *w)
     w->descriptor = -1;
 }
 
-/* After a power cut the name must stand for the old file or for the whole new one. Some file systems cannot promise
- * that; then nothing more can be done. */
-static void sync_descriptor(file_writer *w, int descriptor)
+/* After a power cut the name must stand for the old file or for the whole new one: its bytes are on the disk before it has the name.
+ * Some file systems cannot promise that; then nothing more can be done. */
+static void sync_bytes(file_writer *w)
 {
-    if (fsync(descriptor) < 0 && errno != EINVAL && errno != ENOTSUP && errno != EINTR && w->error == 0)
+    if (fsync(w->descriptor) < 0 && errno != EINVAL && errno != ENOTSUP && errno != EINTR && w->error == 0)
         w->error = errno;
-}
-
-static void sync_folder(file_writer *w)
-{
-    char folder[PATH_MAX];
-    int descriptor;
-
-    snprintf(folder, sizeof folder, "%.*s", (int)folder_length(w->path), w->path);
-    descriptor = open(folder[0] ? folder : ".", O_RDONLY | O_CLOEXEC);
-    if (descriptor < 0)
-        return;
-    sync_descriptor(w, descriptor);
-    close(descriptor);
 }
 
 pov_status file_writer_commit(file_writer *w, pov_error *err)
@@ -340,12 +327,10 @@ pov_status file_writer_commit(file_writer *w, pov_error *err)
 
     write_out(w, w->buffer, w->used);
     if (w->temporary && w->error == 0)
-        sync_descriptor(w, w->descriptor);
+        sync_bytes(w);
     close_writer(w);
     if (w->temporary && w->error == 0 && rename(w->temporary, w->path) < 0)
         w->error = errno;
-    else if (w->temporary && w->error == 0)
-        sync_folder(w);
     if (w->error != 0) {
         status = err_file(err, POV_E_IO, w->path, "cannot write: %s", strerror(w->error));
         if (w->temporary)
