@@ -170,10 +170,10 @@ COMMON_SEPARATE static void add_cap(const common_revolved_piece *p, bool is_high
 
     for (uint32_t i = 0; i < N; i++) {
         const double t = (height - n->oy[i]) / n->dy[i], x = n->ox[i] + n->dx[i] * t, z = n->oz[i] + n->dz[i] * t;
-        const double off = 0x1p-40 * (1.0 + fabs(n->base[i]) + fabs(t)), met = x * x + z * z < square ? 1.0 : 0.0;
+        const double off = 0x1p-40 * (1.0 + fabs(n->base[i]) + fabs(t)), crossed = x * x + z * z < square ? 1.0 : 0.0;
 
-        io->open[i] += fabs(t - n->enough[i]) > 4.0 * off ? 0.0 : met;
-        add(i, t > n->enough[i] ? met : 0.0, t, off, feature, io);
+        io->open[i] += fabs(t - n->enough[i]) > 4.0 * off ? 0.0 : crossed;
+        add(i, t > n->enough[i] ? crossed : 0.0, t, off, feature, io);
     }
 }
 

@@ -262,8 +262,8 @@ COMMON_SEPARATE static void add_sphere_lanes(const ovus *self, uint32_t part, co
     for (uint32_t i = 0; i < COMMON_ENTRIES; i++) {
         const double x = n->ox[i] - 0.0, y = n->oy[i] - middle_y, z = n->oz[i] - 0.0, dx = n->dx[i], dy = n->dy[i], dz = n->dz[i], a = n->square[i];
         const double middle = -(x * dx + y * dy + z * dz) / a, wx = x + dx * middle, wy = y + dy * middle, wz = z + dz * middle;
-        const double rest = radius * radius - (wx * wx + wy * wy + wz * wz), half = sqrt(common_greater(rest, 0.0) / a), met = rest > 0.0 ? 1.0 : 0.0;
-        const double here = part == TOP ? n->high[i] < o.high ? 0.0 : met : n->low[i] > o.low ? 0.0 : met;
+        const double rest = radius * radius - (wx * wx + wy * wy + wz * wz), half = sqrt(common_greater(rest, 0.0) / a), crossed = rest > 0.0 ? 1.0 : 0.0;
+        const double here = part == TOP ? n->high[i] < o.high ? 0.0 : crossed : n->low[i] > o.low ? 0.0 : crossed;
 
         add(&o, n, i, here, middle - half, number, io);
         add(&o, n, i, here, middle + half, number, io);
