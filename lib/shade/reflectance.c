@@ -101,9 +101,9 @@ static void find_all(reflectances *m, const model *of)
         dye(m, k, n);
 }
 
-/* The ior of the object over that of the dielectric entered last, and the inverse where the ray leaves the only one. That
- * is the ior ahead over that behind but for a ray that leaves one dielectric within another: POV-Ray sees none of
- * Fresnel's reflection there. */
+/* The ior of the object over that of the dielectric entered last, and the inverse where the ray leaves the object. That is the
+ * ior ahead over that behind but for a ray that leaves one dielectric within another: for POV-Ray the one that was entered
+ * last is the one ahead. If that is the object itself, there is none of Fresnel's reflection. */
 static double ratio_at(const shade_context *c, const surface *s, dielectric_crossing *at)
 {
     const model *m = c->scene->model;
@@ -115,7 +115,7 @@ static double ratio_at(const shade_context *c, const surface *s, dielectric_cros
         return at->after / at->before;
     if (at->index + 1 == in.count)
         return in.count == 1 ? 1.0 / at->before : 1.0;
-    return dielectric_ior(dielectric_interior(m, object), s->from->hue) / at->before;
+    return at->before / dielectric_ior(dielectric_interior(m, object), s->from->hue);
 }
 
 static void put_colour(float out[3][BATCH_MAX], uint32_t i, colour c)

@@ -173,6 +173,18 @@ static void a_weight_of_the_bailout_itself_is_below_it_where_its_float_is(void *
     assert_seen("global_settings { adc_bailout .1 } sphere { 0, 1 finish { ambient 0 diffuse 0 reflection .1 } }", 0.1, 0.1, 0.1);
 }
 
+#define PLATE(from, to) "box { <-9, -9, " from ">, <9, 9, " to "> rotate 30*y texture { pigment { rgbt 1 } finish { ambient 0 diffuse 0 } } "
+#define MIRROR "interior_texture { pigment { rgbt 1 } finish { ambient 0 diffuse 0 reflection { 0, 1 fresnel } } } "
+
+/* As if it went from the one into the other. */
+static void leaving_a_solid_in_one_that_was_entered_later_reflects_by_both(void **state)
+{
+    const double seen = 1.1112;
+
+    (void)state;
+    assert_seen(PLATE("0", "2") MIRROR "} " PLATE("1", "3") "interior { ior 2 } }", seen, seen, seen);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -187,6 +199,7 @@ int main(void)
         cmocka_unit_test(white_light_is_dispersed_into_its_colours),
         cmocka_unit_test(old_finishes_say_what_is_inside),
         cmocka_unit_test(a_weight_of_the_bailout_itself_is_below_it_where_its_float_is),
+        cmocka_unit_test(leaving_a_solid_in_one_that_was_entered_later_reflects_by_both),
         cmocka_unit_test(dispersed_colours_are_turned_back_one_by_one),
     };
 
