@@ -26,7 +26,7 @@ void dielectric_cross(const dielectric_stack *stack, dielectric_span in, const m
 /* The interior of a solid, and its ior for light of a hue. */
 const interior *dielectric_interior(const model *m, uint32_t which);
 double dielectric_ior(const interior *in, float hue);
-/* The list of the transmitted ray: a new one at the top. False: no memory. */
+/* The list of the transmitted ray: a new one at the top; with an index of SIZE_MAX the same once more. False: no memory. */
 bool dielectric_pass(dielectric_stack *stack, const env *e, dielectric_span *in, const dielectric_crossing *c);
 /* Drop everything above `floor` except the span, which is moved down onto it. */
 void dielectric_compact(dielectric_stack *stack, dielectric_span *span, size_t floor);

@@ -261,6 +261,15 @@ static inline void pass(scattering *to, path *out, const dielectric_crossing *cr
         c->failed = true;
 }
 
+/* One that crosses no interface has a list of its own too: those of a batch lie in the order of its rays. */
+static inline void keep_list(scattering *to, bool refraction, path *out)
+{
+    const dielectric_crossing none = { .index = SIZE_MAX };
+
+    if (refraction && out && out->inside.count > 0)
+        pass(to, out, &none);
+}
+
 static inline path *refract_at(scattering *to, const surface *s, uint32_t lane, const coefficient *by, pov_vec3 dir)
 {
     return spawn_across(to, s, by, dir, -pov_dot(dir, lanes_at(&to->on->geometry.to.normal, lane)), true);
@@ -384,7 +393,7 @@ static void scatter_lanes(scattering *to, bool refraction)
         } else {
             reflect_some(to, s, i, on);
             if (transmissive && !is_dark(to, on))
-                transmit(to, s, i, &on->filter);
+                keep_list(to, refraction, transmit(to, s, i, &on->filter));
         }
     }
 }

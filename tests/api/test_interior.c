@@ -185,6 +185,37 @@ static void leaving_a_solid_in_one_that_was_entered_later_reflects_by_both(void 
     assert_seen(PLATE("0", "2") MIRROR "} " PLATE("1", "3") "interior { ior 2 } }", seen, seen, seen);
 }
 
+static float *spheres_with(const char *more)
+{
+    pov_render_desc desc = POV_INIT(desc);
+    pov_context *context = scenes_context();
+    pov_scene *scene;
+    char text[1024];
+    float *picture;
+
+    snprintf(text, sizeof text, "#version 3.7; global_settings { assumed_gamma 1 } camera { location <0.17, 1.39, -4.2> look_at <0.16, 0.45, -0.24> }\n"
+             "background { rgb <.2, .4, .6> } sphere { 0.5, 1 pigment { rgbt 0.9 } interior { ior 1.81 } } sphere { 0, 1 pigment { rgbt 0.9 } } %s", more);
+    scene = scenes_text(context, text);
+    desc.width = 40;
+    desc.height = 30;
+    picture = scenes_render(scene, &desc);
+    pov_scene_destroy(scene);
+    pov_context_destroy(context);
+    return picture;
+}
+
+/* Their rays go on beside others that have entered something. */
+static void what_is_not_seen_leaves_lists_of_solids_as_they_are(void **state)
+{
+    float *with = spheres_with("box { -.5, .4 no_image }"), *without = spheres_with("");
+
+    (void)state;
+    for (int i = 0; i < 4 * 40 * 30; i++)
+        assert_near(with[i], without[i], 1e-5);
+    free(with);
+    free(without);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -200,6 +231,7 @@ int main(void)
         cmocka_unit_test(old_finishes_say_what_is_inside),
         cmocka_unit_test(a_weight_of_the_bailout_itself_is_below_it_where_its_float_is),
         cmocka_unit_test(leaving_a_solid_in_one_that_was_entered_later_reflects_by_both),
+        cmocka_unit_test(what_is_not_seen_leaves_lists_of_solids_as_they_are),
         cmocka_unit_test(dispersed_colours_are_turned_back_one_by_one),
     };
 
