@@ -176,11 +176,16 @@ static void intersect(const void *self, const pov_ray *ray, pov_hits *hits)
 
 /* ---- several rays side by side ---- */
 
+/* As many as a vector holds. */
+#if defined(__AVX512F__)
+enum { TOGETHER = 8 };
+#else
 enum { TOGETHER = 4 };
-typedef double four[TOGETHER];
+#endif
+typedef double lane[TOGETHER];
 
 /* By lane: a line, and its shape's exponents. */
-typedef struct line_lanes { four o[3], d[3], e, n; } line_lanes;
+typedef struct line_lanes { lane o[3], d[3], e, n; } line_lanes;
 
 COMMON_INLINE line get_line(const line_lanes *l, superellipsoid *s, uint32_t i)
 {
@@ -207,7 +212,7 @@ static void put_line(line_lanes *l, const line *n, uint32_t i)
 }
 
 /* size_along() and approx_along() of all lanes. */
-COMMON_CLONES static void sizes_along(const line_lanes *restrict l, const double *restrict t, double *restrict value,
+COMMON_SEPARATE static void sizes_along(const line_lanes *restrict l, const double *restrict t, double *restrict value,
                                       double *restrict slope)
 {
     for (uint32_t i = 0; i < TOGETHER; i++) {
@@ -220,7 +225,7 @@ COMMON_CLONES static void sizes_along(const line_lanes *restrict l, const double
     }
 }
 
-COMMON_CLONES static void approxes_along(const line_lanes *restrict l, const double *restrict t, double *restrict value,
+COMMON_SEPARATE static void approxes_along(const line_lanes *restrict l, const double *restrict t, double *restrict value,
                                          double *restrict slope)
 {
     for (uint32_t i = 0; i < TOGETHER; i++) {
@@ -264,7 +269,7 @@ static bool turn_exact(member *m, double value, double slope, double *t, bool *u
     return next != at && !is_last_step(value, slope);
 }
 
-typedef struct members { member at[TOGETHER]; line_lanes lanes; four t, value, slope; bool unsure[TOGETHER]; } members;
+typedef struct members { member at[TOGETHER]; line_lanes lanes; lane t, value, slope; bool unsure[TOGETHER]; } members;
 
 typedef void evaluate(const line_lanes *restrict l, const double *restrict t, double *restrict value, double *restrict slope);
 typedef bool take_turn(member *m, double value, double slope, double *t, bool *unsure);
@@ -292,7 +297,7 @@ static void take_turns(members *all, evaluate *sizes, take_turn *take)
 /* As is_certain(), of those near a crossing. */
 static void find_certain(members *all, pov_hits *const *hits, uint32_t n, bool *certain)
 {
-    four behind, value, slope;
+    lane behind, value, slope;
 
     for (uint32_t i = 0; i < TOGETHER; i++)
         behind[i] = all->t[i] - (fabs(all->value[i]) + 4.0 * APPROX) / all->slope[i];
@@ -307,7 +312,7 @@ static void find_certain(members *all, pov_hits *const *hits, uint32_t n, bool *
 
 /* Rays that do not start on a convex shape. The first crossing of each is looked for; those that are not certain of one, or of a
  * miss, are left to cross_convex(). */
-static void cross_four(members *all, const pov_ray *const *rays, pov_hits *const *hits, uint32_t n)
+static void cross_lanes(members *all, const pov_ray *const *rays, pov_hits *const *hits, uint32_t n)
 {
     bool certain[TOGETHER] = { false }, any = false, some = false;
 
@@ -361,12 +366,12 @@ static void intersect_many(const void *const *selves, const pov_ray *const *rays
         some[count] = rays[i];
         of[count++] = hits[i];
         if (count == TOGETHER) {
-            cross_four(&all, some, of, count);
+            cross_lanes(&all, some, of, count);
             count = 0;
         }
     }
     if (count > 1)
-        cross_four(&all, some, of, count);
+        cross_lanes(&all, some, of, count);
     else if (count > 0)
         cross_convex(&all.at[0].n, &all.at[0].k, some[0], false, of[0]);
 }
@@ -397,7 +402,7 @@ static void normal(const void *self, const pov_ray *ray, const pov_crossing *at,
 }
 
 /* Of the points o. */
-COMMON_CLONES static void find_slopes(const line_lanes *restrict l, double (*restrict out)[TOGETHER])
+COMMON_SEPARATE static void find_slopes(const line_lanes *restrict l, double (*restrict out)[TOGETHER])
 {
     for (uint32_t i = 0; i < TOGETHER; i++) {
         superellipsoid s;
@@ -414,7 +419,7 @@ COMMON_CLONES static void find_slopes(const line_lanes *restrict l, double (*res
 static void normal_many(const void *const *selves, const pov_ray *const *rays, const pov_crossing *const *at,
                         pov_vec3 *const *out, uint32_t n)
 {
-    four slopes[3];
+    lane slopes[3];
     line_lanes lanes;
 
     for (uint32_t some; n > 0; n -= some, selves += some, rays += some, at += some, out += some) {
