@@ -15,15 +15,19 @@ typedef struct SIMD_ALIGNED parts {
 
 /* ---- diffuse light ---- */
 
-static inline float diffuse_by(const finishes *f, uint32_t i, double cosine)
+/* What diffuse light from behind surfaces counts, where none of them says more than plain ones. */
+static const float no_back[BATCH_MAX];
+
+static inline float diffuse_by(const finishes *f, const float *back, uint32_t i, double cosine)
 {
-    return cosine > 0.0 ? f->diffuse_weight[i] : f->rich.back_weight[i];
+    return cosine > 0.0 ? f->diffuse_weight[i] : back[i];
 }
 
-SIMD_CLONES static void diffuse_plain(parts *restrict p, const finishes *restrict f, const double *restrict cosines, uint32_t n)
+SIMD_CLONES static void diffuse_plain(parts *restrict p, const finishes *restrict f, const float *restrict back, const double *restrict cosines,
+                                      uint32_t n)
 {
     for (uint32_t i = 0; i < n; i++)
-        p->diffuse[i] = diffuse_by(f, i, cosines[i]) * (float)fabs(cosines[i]);
+        p->diffuse[i] = diffuse_by(f, back, i, cosines[i]) * (float)fabs(cosines[i]);
 }
 
 /* Whole powers, and the cosine itself, by their product; `odd` lanes are left. */
@@ -37,7 +41,7 @@ SIMD_CLONES static uint32_t diffuse_products(parts *restrict p, const finishes *
 
         p->odd[i] = (f->rich.course[i] != 1) & ((f->rich.course[i] == 0) | !(lo == hi));
         odd |= p->odd[i];
-        p->diffuse[i] = diffuse_by(f, i, cosines[i]) * (f->rich.course[i] == 1 ? (float)size : lo);
+        p->diffuse[i] = diffuse_by(f, f->rich.back_weight, i, cosines[i]) * (f->rich.course[i] == 1 ? (float)size : lo);
     }
     return odd;
 }
@@ -47,7 +51,7 @@ SIMD_CLONES static void diffuse_powers(parts *restrict p, const finishes *restri
     for (uint32_t i = 0; i < n; i++) {
         const float course = (float)elementary_pow(fabs(cosines[i]), f->rich.brilliance[i]);
 
-        p->diffuse[i] = p->odd[i] ? diffuse_by(f, i, cosines[i]) * course : p->diffuse[i];
+        p->diffuse[i] = p->odd[i] ? diffuse_by(f, f->rich.back_weight, i, cosines[i]) * course : p->diffuse[i];
     }
 }
 
@@ -75,10 +79,10 @@ static void take_grains(parts *p, const finishes *f, const vec_lanes *dir)
     }
 }
 
-static void diffuse(parts *p, const finishes *f, const light_sample *s, const vec_lanes *dir, uint32_t n)
+static void diffuse(parts *p, const finishes *f, const float *back, const light_sample *s, const vec_lanes *dir, uint32_t n)
 {
     if (!(f->kinds & FINISH_BRILLIANCE))
-        diffuse_plain(p, f, s->cosine, n);
+        diffuse_plain(p, f, back, s->cosine, n);
     else if (diffuse_products(p, f, s->cosine, n))
         diffuse_powers(p, f, s->cosine, n);
     if (f->kinds & FINISH_CRAND)
@@ -275,24 +279,25 @@ SIMD_CLONES static void films(light_sample *restrict s, const rich_finishes *res
     }
 }
 
-SIMD_CLONES static void find_contributions(light_sample *restrict s, const rich_finishes *restrict r, uint32_t n)
+SIMD_CLONES static void find_contributions(light_sample *restrict s, const float *restrict back, uint32_t n)
 {
     for (uint32_t i = 0; i < n; i++) {
-        s->front[i] = (s->cosine[i] > 0.0) | ((r->back_weight[i] != 0.0f) & (s->cosine[i] < 0.0));
+        s->front[i] = (s->cosine[i] > 0.0) | ((back[i] != 0.0f) & (s->cosine[i] < 0.0));
         s->contributes[i] = s->front[i] & !colour_is_black(brdf_at(s, i));
     }
 }
 
 void brdf_reflect_rich(const finishes *f, const model *m, light_sample *s, const light_lanes *in, bool glossy, uint32_t n)
 {
+    const float *back = f->kinds ? f->rich.back_weight : no_back;   /* only these kinds are kept in lanes */
     parts p;
 
-    diffuse(&p, f, s, &in->dir, n);
+    diffuse(&p, f, back, s, &in->dir, n);
     no_highlights(&p, n);
     if (glossy)
         highlights(&p, f, m, s, &in->dir, n);
     sum(s, &p, f, in, n);
     if (f->kinds & FINISH_IRID)
         films(s, &f->rich, f->on->geometry.cosine, m->irid_wavelength, n);
-    find_contributions(s, &f->rich, n);
+    find_contributions(s, back, n);
 }

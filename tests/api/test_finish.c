@@ -84,6 +84,19 @@ static void of_spotlight_cylinder_and_shadowless_the_last_counts(void **state)
     CHECK(samples);
 }
 
+/* Beside others, which the light from behind counts for. */
+static void light_without_shadows_from_behind_counts_where_the_finish_says_so(void **state)
+{
+#define BACKS "sphere { <-1.6,0,0>, 1.45 pigment { rgb 1 } finish { ambient 0 diffuse 1,1 } } sphere { <0,2.5,0>, 1.45 pigment { rgb 1 } finish { diffuse 1,1 } "
+    static const sample samples[] = {
+        { "<3,4,6> rgb 1 shadowless", GOLD "finish { ambient 0 diffuse 1 } } " BACKS, 0.0, 0.0, 0.0 },
+    };
+    (void)state;
+
+    CHECK(samples);
+#undef BACKS
+}
+
 static void light_without_shadows_is_projected_all_the_same(void **state)
 {
     static const sample samples[] = {
@@ -288,6 +301,7 @@ int main(void)
         cmocka_unit_test(diffuse_light_follows_brilliance_and_albedo),
         cmocka_unit_test(of_spotlight_cylinder_and_shadowless_the_last_counts),
         cmocka_unit_test(light_without_shadows_is_projected_all_the_same),
+        cmocka_unit_test(light_without_shadows_from_behind_counts_where_the_finish_says_so),
         cmocka_unit_test(light_from_behind_counts_where_the_finish_says_so),
         cmocka_unit_test(highlights_are_those_of_phong_and_of_blinn),
         cmocka_unit_test(reflection_depends_on_the_angle_and_the_pigment),
