@@ -20,9 +20,12 @@ static uint32_t parse_side(pov_reader *in)
 /* From 0 to 1, in steps of one less than there are pixels. */
 static double place_of(uint32_t i, uint32_t count) { return count > 1 ? (double)i / (count - 1) : 0.0; }
 
+/* Beyond 0 and 1 the lowest 16 bits count, as in POV-Ray. */
 static uint16_t sample_of(double v)
 {
-    return (uint16_t)(v > 0.0 ? v < 1.0 ? 65535.0 * v : 65535.0 : 0.0);
+    const double whole = 65535.0 * v;
+
+    return whole > -0x1p31 && whole < 0x1p31 ? (uint16_t)(int32_t)whole : 0;
 }
 
 /* Several pixels of a row at once. */

@@ -32,6 +32,14 @@ static uint32_t read_count(const pov_host *host, pov_reader *in)
     return n >= 2.0 && n <= 65536.0 ? (uint32_t)n : 2;
 }
 
+/* Beyond 0 and 1 the lowest 16 bits count, as in POV-Ray. */
+static uint16_t height_of(double value)
+{
+    const double whole = 65535.0 * value;
+
+    return whole > -0x1p31 && whole < 0x1p31 ? (uint16_t)(int32_t)whole : 0;
+}
+
 /* Those from column x on. */
 static void read_values(const height_field *f, const pov_function *of, double *memory, uint32_t x, uint32_t z, uint16_t *out)
 {
@@ -45,7 +53,7 @@ static void read_values(const height_field *f, const pov_function *of, double *m
     }
     of->values(of, at[0], n, memory, values);
     for (uint32_t i = 0; i < n; i++)
-        out[i] = (uint16_t)(values[i] > 0.0 ? values[i] < 1.0 ? 65535.0 * values[i] : 65535.0 : 0.0);
+        out[i] = height_of(values[i]);
 }
 
 /* As if it were an image of 16 bits, whose rows come from the top. */

@@ -17,7 +17,7 @@ box { <-4.2, -.1, -4.2>, <4.2, 0, 4.2> pigment { rgb .93 } }
         box { <X - .2, 0, Z - .2>, <X + .2, V, Z + .2> pigment { Shade(V) } finish { specular .25 } }
     #end
 #end
-height_field { function 120, 120 { F((x - .5)*8, (.5 - y)*8)/4 } smooth translate <-.5, 0, -.5> scale <8, 4, 8> translate .9*y
+height_field { function 120, 120 { max(0, F((x - .5)*8, (.5 - y)*8)/4) } smooth translate <-.5, 0, -.5> scale <8, 4, 8> translate .9*y
     pigment { rgbt <.95, .6, .2, .55> } finish { specular .4 } no_shadow }
 #for (K, 0, 4)
     cylinder { <-4.2, K*.6, 4.2>, <4.2, K*.6, 4.2>, .015 pigment { rgb .4 } }

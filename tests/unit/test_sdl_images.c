@@ -170,6 +170,37 @@ static void a_function_makes_an_image_of_grey(void **state)
     end(&b);
 }
 
+/* As measured: 65535 times the value without its upper bits, and 0 beyond 31 bits. */
+static void values_of_functions_beyond_0_and_1_come_round(void **state)
+{
+    static const struct {
+        const char *text;
+        double wanted;
+    } values[] = {
+        { "1", 65535 },    { "1.00001", 65535 }, { "1.0001", 5 },  { "1.25", 16382 }, { "2", 65534 },   { "100.3", 19560 },
+        { "-.00001", 0 },  { "-.1", 58983 },     { "-1", 1 },      { "-2.3", 45878 }, { "70000", 0 },   { "-1e10", 0 },
+        { "sqrt(-x)", 0 },
+    };
+    (void)state;
+
+    for (size_t i = 0; i < sizeof values / sizeof values[0]; i++) {
+        char text[256];
+        bench b;
+
+        snprintf(text, sizeof text, "pigment { image_map { function 3, 2 { %s } } }", values[i].text);
+        assert_int_equal(read_scene(&b, text), POV_OK);
+        assert_float_equal(colour_at(&b, 0.5, 0.5).color.r, values[i].wanted / 65535.0, 1e-9);
+        end(&b);
+        snprintf(text, sizeof text,
+                 "} #declare H = height_field { function 3, 2 { %s } };\n"
+                 "#if (abs(trace(H, <.3, 9, .3>, -y).y * 65536 - %g) > .01) #error \"its height\" #end sphere { 0, 1",
+                 values[i].text, values[i].wanted);
+        if (read_scene(&b, text) != POV_OK)
+            fail_msg("%s: %s", values[i].text, b.error.message);
+        end(&b);
+    }
+}
+
 /* As POV-Ray has it; the filter is lost. */
 static void a_pigment_makes_an_image_of_its_colours(void **state)
 {
@@ -286,6 +317,7 @@ int main(void)
         cmocka_unit_test(entries_of_a_palette_have_their_own_transparency),
         cmocka_unit_test(between_pixels_every_method_meets_them),
         cmocka_unit_test(a_function_makes_an_image_of_grey),
+        cmocka_unit_test(values_of_functions_beyond_0_and_1_come_round),
         cmocka_unit_test(a_pigment_makes_an_image_of_its_colours),
         cmocka_unit_test(values_of_images_do_not_depend_on_the_assumed_gamma),
         cmocka_unit_test(heights_are_decoded_by_the_gamma_that_is_given),
