@@ -31,8 +31,6 @@ static value read_expression(pov_reader *in)
     in->wanted = "a value";
     v = expression_read(in);
     in->wanted = wanted;
-    if (v.is_colour)
-        value_colour_channels(in, v.as.v);
     return v;
 }
 

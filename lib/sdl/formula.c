@@ -93,7 +93,7 @@ static uint32_t read_arguments(compiler *c, uint32_t least, uint32_t most, uint3
         if (value_at != reserve(c, 1))
             emit(c, PROGRAM_COPY, mark, value_at, 0);
         n++;
-        if (!state_accept(c->in, ',') && most > 8)
+        if (!state_accept(c->in, ','))
             break;
     }
     if (!c->in->failed && n < least)
@@ -340,8 +340,10 @@ static uint32_t unary(compiler *c)
     if (!state_enter(in))
         return 0;
     state_settle(in);
-    for (; in->token.kind == '-' || in->token.kind == '+'; state_advance(in), state_settle(in))
-        is_negative ^= in->token.kind == '-';
+    if (in->token.kind == '-' || in->token.kind == '+') {     /* one sign, unlike elsewhere */
+        is_negative = in->token.kind == '-';
+        state_advance(in);
+    }
     at = primary(c);
     state_exit(in);
     return is_negative ? combine(c, PROGRAM_NEGATE, mark, at, 0) : at;
@@ -466,8 +468,9 @@ bool formula_compile(pov_reader *in, symbol *const *parameters, uint32_t count, 
     c.next = c.most = count;
     for (i = 0; i < count && !in->failed; i++) {
         local one = { parameters[i], i };
+        uint32_t earlier;
 
-        if (!VEC_PUSH(in->model->env, &c.locals, one))
+        if (!find_local(&c, parameters[i], &earlier) && !VEC_PUSH(in->model->env, &c.locals, one))
             report_memory(in);
     }
     i = full(&c);

@@ -139,7 +139,7 @@ static void read_many(pov_reader *in, const intrinsic *row, value *out)
     state_open(in, '(');
     a = expression_number(in);
     has_comma = state_accept(in, ',');
-    while ((has_comma || in->token.kind != ')') && !in->failed) {
+    while (has_comma && !in->failed) {
         a = row->of_two(a, expression_number(in));
         has_comma = state_accept(in, ',');
     }

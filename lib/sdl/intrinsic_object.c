@@ -31,6 +31,8 @@ static void read_inside(pov_reader *in, const intrinsic *row, value *out)
     state_accept(in, ',');
     point = expression_vector(in);
     state_close(in, ')');
+    if (o && !in->failed && !object_is_solid(o))
+        report_fail(in, &in->value, POV_E_SYNTAX, "this object has no inside");
     out->as.v[0] = o && !in->failed && object_holds(in, o, point);
 }
 

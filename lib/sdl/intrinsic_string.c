@@ -8,10 +8,12 @@
 #include "sdl/report.h"
 #include "sdl/text.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
+#include <time.h>
 
-enum { NUMBER_BUFFER = 512, DIGITS_MAX = 300, LAST_CHARACTER = 65535 };
+enum { NUMBER_BUFFER = 512, DATE_BUFFER = 512, DIGITS_MAX = 300, LAST_CHARACTER = 65535, FIRST_YEAR = 1400, LAST_YEAR = 9999 };
 
 static void comma(pov_reader *in)
 {
@@ -349,12 +351,65 @@ static void read_case(pov_reader *in, const intrinsic *row, value *out)
     give(in, out, copy);
 }
 
+/* The moment so many days behind the beginning of the year 2000, in UTC, to the nearest second. False: in no year that is
+ * written. */
+static bool to_date(double days, struct tm *out)
+{
+    const double seconds = floor(days * 86400.0 + 0.5) + 946684800.0;
+    time_t moment;
+
+    if (!(fabs(seconds) < 1e12))
+        return false;
+    moment = (time_t)seconds;
+    return gmtime_r(&moment, out) && out->tm_year + 1900 >= FIRST_YEAR && out->tm_year + 1900 <= LAST_YEAR;
+}
+
+static void write_date(pov_reader *in, double days, const char *format, value *out)
+{
+    char buffer[DATE_BUFFER];
+    struct tm date;
+    size_t length;
+
+    if (format[0] == '\0') {
+        report_fail(in, &in->value, POV_E_SYNTAX, "the format of a date must not be empty");
+        return;
+    }
+    if (!to_date(days, &date)) {
+        report_fail(in, &in->value, POV_E_SYNTAX, "a date lies in the years %d to %d", FIRST_YEAR, LAST_YEAR);
+        return;
+    }
+    length = strftime(buffer, sizeof buffer, format, &date);
+    if (length == 0)
+        report_fail(in, &in->value, POV_E_SYNTAX, "a date has from 1 to %d characters", DATE_BUFFER - 1);
+    else
+        give(in, out, text_copy(in, buffer, length));
+}
+
+/* The words of the format are those of strftime(). */
+static void read_datetime(pov_reader *in, const intrinsic *row, value *out)
+{
+    string *format = NULL;
+    double days;
+
+    (void)row;
+    state_open(in, '(');
+    days = expression_number(in);
+    comma(in);
+    if (in->token.kind != ')')
+        format = read_string(in);
+    state_close(in, ')');
+    if (!in->failed)
+        write_date(in, days, format ? format->text : "%Y-%m-%d %H:%M:%SZ", out);
+    let_go(in, format);
+}
+
 #define READ(name, read) { name, read, NULL, NULL, { 0 }, 0, INTRINSIC_OTHER }
 
 static const intrinsic rows[] = {
     READ("strlen", read_strlen), READ("asc", read_asc), READ("val", read_val), READ("strcmp", read_strcmp),
     READ("file_exists", read_file_exists), READ("str", read_str), READ("vstr", read_vstr),
     READ("concat", read_concat), READ("chr", read_chr), READ("substr", read_substr),
+    READ("datetime", read_datetime),
     { "strupr", read_case, NULL, NULL, { 1.0 }, 0, INTRINSIC_OTHER }, { "strlwr", read_case, NULL, NULL, { 0.0 }, 0, INTRINSIC_OTHER },
 };
 

@@ -104,6 +104,7 @@
     ROW(CUTAWAY_TEXTURES, "cutaway_textures", 0) \
     ROW(CYLINDER, "cylinder", KEYWORD_FLAG_BASE | KEYWORD_FLAG_SHAPE) \
     ROW(CYLINDRICAL, "cylindrical", 0) \
+    ROW(DATETIME, "datetime", 0) \
     ROW(DEBUG, "debug", 0) \
     ROW(DECLARE, "declare", 0) \
     ROW(DEFAULT, "default", 0) \
@@ -191,6 +192,7 @@
     ROW(IFNDEF, "ifndef", 0) \
     ROW(IMAGE_MAP, "image_map", 0) \
     ROW(IMAGE_PATTERN, "image_pattern", 0) \
+    ROW(IMPORTANCE, "importance", 0) \
     ROW(INCLUDE, "include", 0) \
     ROW(INSIDE, "inside", 0) \
     ROW(INSIDE_VECTOR, "inside_vector", 0) \
@@ -313,6 +315,7 @@
     ROW(POLY, "poly", KEYWORD_FLAG_SHAPE) \
     ROW(POLY_WAVE, "poly_wave", 0) \
     ROW(POLYGON, "polygon", KEYWORD_FLAG_BASE | KEYWORD_FLAG_SHAPE) \
+    ROW(POLYNOMIAL, "polynomial", KEYWORD_FLAG_SHAPE) \
     ROW(POT, "pot", 0) \
     ROW(POW, "pow", 0) \
     ROW(PPM, "ppm", 0) \

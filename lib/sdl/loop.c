@@ -86,7 +86,7 @@ static void read_range(pov_reader *in, condition *c, double *first)
     *first = expression_number(in);
     state_accept(in, ',');
     c->last = expression_number(in);
-    c->step = state_accept(in, ',') ? expression_number(in) : 1.0;
+    c->step = state_accept(in, ',') && in->token.kind != ')' ? expression_number(in) : 1.0;
     if (!in->failed && c->step == 0.0)
         report_fail(in, &in->value, POV_E_SYNTAX, "the step of a loop is not 0");
     if (state_require(in, ')'))

@@ -120,7 +120,8 @@ static void read_name(pov_reader *in, argument *out)
     if (in->failed || (!expression_goes_on(in) && in->token.kind != '('))
         return;
     v = expression_call(in, value_keep(*out->slot));
-    out->value = expression_go_on(in, v);
+    v = expression_go_on(in, v);
+    out->value = v.kind == VALUE_NUMBER ? value_of_number(v.as.v[0]) : v;   /* of a component its vector goes */
     value_unshare(&in->heap, out->lender);
     out->lender = NULL;
 }

@@ -137,6 +137,11 @@ static bool holds_as(pov_reader *in, const object_parsed *o, pov_vec3 point, boo
     return holds != turned;
 }
 
+bool object_is_solid(const object_parsed *o)
+{
+    return o->kind == OBJECT_GROUP || (o->kind == OBJECT_LEAF && shape_is_solid(o->leaf.shape, o->leaf.instance));
+}
+
 bool object_holds(pov_reader *in, const object_parsed *o, pov_vec3 point) { return holds_as(in, o, point, false); }
 
 /* ---- rays ---- */

@@ -8,6 +8,8 @@ typedef struct object_hit { double t; pov_vec3 normal; bool on_patch; } object_h
 
 /* The first hit in front of the origin, in multiples of the direction. False: there is none. */
 bool object_trace(pov_reader *in, const object_parsed *o, pov_vec3 origin, pov_vec3 direction, object_hit *out);
+/* Patches and lights have no inside. */
+bool object_is_solid(const object_parsed *o);
 bool object_holds(pov_reader *in, const object_parsed *o, pov_vec3 point);
 /* False: it has no end, or there is nothing of it. What is not drawn yet has the unit cube. */
 bool object_bounds(pov_reader *in, const object_parsed *o, pov_box *out);

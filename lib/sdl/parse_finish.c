@@ -29,7 +29,7 @@ static void read_diffuse(pov_reader *in, surface_parsed *s, finish *f)
     s->material.finish.written = 1.0f;
     read_albedo(in, s, ALBEDO_DIFFUSE);
     f->diffuse = read_strength(in);
-    f->diffuse_back = state_accept(in, ',') ? read_strength(in) : 0.0f;
+    f->diffuse_back = state_accept(in, ',') || value_follows(in) ? read_strength(in) : 0.0f;
 }
 
 static float read_size(pov_reader *in)

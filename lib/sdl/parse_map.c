@@ -66,18 +66,24 @@ static pigment read_colour(pov_reader *in)
     return out;
 }
 
-/* In old scenes an entry is an interval: two numbers, two colours. */
+/* In old scenes an entry is an interval: two numbers, two colours. What begins with a number may be a colour as well: 2*C. */
 static void read_colours(pov_reader *in, entry *first, entry_list *out)
 {
     entry second = *first;
-    bool is_interval = false;
+    bool is_interval = false, has_colour = false;
+    double c[5];
 
     if (value_follows(in) && !value_colour_follows(in, false)) {
-        second.value = value_float(in);
-        is_interval = true;
-        state_accept(in, ',');
+        has_colour = value_components(in, 5, 5, c) > 1;
+        is_interval = !has_colour;
+        second.value = is_interval ? (float)c[0] : first->value;
+        first->as.pigment = (pigment){ colour_of((float)c[0], (float)c[1], (float)c[2]), (float)c[3], (float)c[4] };
     }
-    first->as.pigment = second.as.pigment = read_colour(in);
+    if (is_interval)
+        state_accept(in, ',');
+    if (!has_colour)
+        first->as.pigment = read_colour(in);
+    second.as.pigment = first->as.pigment;
     state_accept(in, ',');
     if (in->token.kind != ']')
         second.as.pigment = read_colour(in);

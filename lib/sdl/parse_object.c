@@ -168,8 +168,11 @@ object_parsed *parse_keep(pov_reader *in, const object_parsed *o)
     return kept;
 }
 
-static const item_list clip_items = { "an object that clips", NULL, 0, NULL, NULL, NULL, VALUE_NOTHING, NULL };
-static const item_list bound_items = { "an object that bounds", NULL, 0, NULL, NULL, NULL, VALUE_NOTHING, NULL };
+static void move_listed(pov_reader *in, void *self, keyword_id keyword) { parse_transform(in, self, keyword); }
+
+static const item list_moves[] = { PARSE_MOVES(move_listed) };
+static const item_list clip_items = { "an object that clips, a transformation", ITEMS(list_moves), NULL, NULL, NULL, VALUE_NOTHING, NULL };
+static const item_list bound_items = { "an object that bounds, a transformation", ITEMS(list_moves), NULL, NULL, NULL, VALUE_NOTHING, NULL };
 
 /* What is in the list already may be a named object's as well. */
 static void put_before(pov_reader *in, object_parsed **list, const object_parsed *member)
@@ -183,45 +186,54 @@ static void put_before(pov_reader *in, object_parsed **list, const object_parsed
 }
 
 /* The objects of a block, or with the word of the other list those that are in it. */
-static void read_list(pov_reader *in, const object_parsed *o, object_parsed **list, const object_parsed *other,
-                      keyword_id word)
+static void read_list(pov_reader *in, const object_parsed *o, object_parsed **list, const object_parsed *other, keyword_id word)
 {
     object_parsed member;
 
-    if (in->token.kind == TOKEN_WORD && in->token.symbol->id == word) {
-        state_advance(in);
+    if (state_accept_keyword(in, word)) {
         for (; other && !in->failed; other = other->next)
             put_before(in, list, other);
         return;
     }
+    if (!parse_object_follows(in))
+        report_expected(in, "an object");
     while (!in->failed && parse_object_try(in, &member)) {
         member.since = o->map;
         put_before(in, list, &member);
     }
 }
 
+/* Transformations at the end of the block move all its objects. */
+static void read_block(pov_reader *in, const object_parsed *o, object_parsed **list, const object_parsed *other, keyword_id word,
+                       const item_list *items)
+{
+    const object_parsed *before = *list;
+    const transform *moves = NULL;
+    block b;
+
+    items_open(in, &b);
+    read_list(in, o, list, other, word);
+    items_close(in, &b, items, &moves);
+    for (object_parsed *member = *list; moves && member != before && !in->failed; member = member->next)
+        parse_append_transforms(in, &member->map, moves, NULL);
+}
+
 /* Each object there clips. */
 static void read_clips(pov_reader *in, void *self, keyword_id keyword)
 {
     object_parsed *o = self;
-    block b;
 
     (void)keyword;
-    items_open(in, &b);
-    read_list(in, o, &o->clips, o->bounds, KEYWORD_BOUNDED_BY);
-    items_close(in, &b, &clip_items, o);
+    read_block(in, o, &o->clips, o->bounds, KEYWORD_BOUNDED_BY, &clip_items);
 }
 
 /* Bounds are found without these. */
 static void read_bounds(pov_reader *in, void *self, keyword_id keyword)
 {
     object_parsed *o = self;
-    block b;
 
     (void)keyword;
-    items_open(in, &b);
-    read_list(in, o, &o->bounds, o->clips, KEYWORD_CLIPPED_BY);
-    items_close(in, &b, &bound_items, o);
+    read_block(in, o, &o->bounds, o->clips, KEYWORD_CLIPPED_BY, &bound_items);
 }
 
 /* Old scenes have a colour right in the object. */
@@ -232,6 +244,15 @@ static void skip_colour(pov_reader *in, void *self, keyword_id keyword)
     (void)self;
     report_warn(in, &in->last, "\"%s\" has no effect outside of a pigment", token_keyword_name(keyword));
     value_colour_components(in, true, unused);
+}
+
+static void skip_named_colour(pov_reader *in, void *self, const value *v)
+{
+    (void)self;
+    if (v->size != 5)
+        report_fail(in, &in->value, POV_E_SYNTAX, "a vector does not belong in an object");
+    else
+        report_warn(in, &in->value, "a colour has no effect outside of a pigment");
 }
 
 static void read_global_lights(pov_reader *in, void *self, keyword_id keyword)
@@ -275,8 +296,8 @@ static const keyword_id quiet[] = { KEYWORD_STURM, KEYWORD_HIERARCHY, KEYWORD_SP
                                     KEYWORD_QUICK_COLOR, KEYWORD_QUICK_COLOUR,
                                     KEYWORD_RADIOSITY, KEYWORD_OTHER };
 static const keyword_id coming[] = { KEYWORD_NO_BUMP_SCALE, KEYWORD_OTHER };
-static const item_list modifiers = { "an object modifier", ITEMS(modifier_items), quiet, NULL, coming, VALUE_NOTHING,
-                                     NULL };
+static const item_list modifiers = { "an object modifier", ITEMS(modifier_items), quiet, NULL, coming, VALUE_VECTOR,
+                                     skip_named_colour };
 
 void parse_modifiers(pov_reader *in, object_parsed *o, int end) { items_until(in, end, &modifiers, o); }
 

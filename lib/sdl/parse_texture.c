@@ -134,7 +134,7 @@ static bool read_pattern(pov_reader *in, texture_reading *r)
     class = r->pattern.parsed.pattern.class;
     memset(&r->map, 0, sizeof r->map);
     if (class->count > 0 && !parse_map_list(in, VALUE_TEXTURE_MAP, class->count, &r->map))
-        report_expected(in, "\"texture\"");
+        r->map.kind = VALUE_TEXTURE_MAP;
     parse_map_complete(in, class->count, &r->map);
     parse_pattern_close(in, &r->pattern);
     return true;

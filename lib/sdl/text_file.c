@@ -360,6 +360,7 @@ static void write_binary(pov_reader *in, written *w, const binary_format *f)
     int i;
 
     state_advance(in);
+    state_accept(in, ',');
     do {
         in->wanted = "a number or a vector";
         v = expression_read(in);
@@ -513,8 +514,8 @@ void text_file_read(pov_reader *in, const place *at)
 
     if (name && !f->text)
         report_fail(in, at, POV_E_SYNTAX, "the file is open for writing");
-    while (!in->failed && goes_on && state_accept(in, ','))
-        goes_on = in->token.kind == ')' || read_item(in, f->text);
+    for (state_accept(in, ','); !in->failed && goes_on && in->token.kind != ')'; state_accept(in, ','))
+        goes_on = read_item(in, f->text);
     while (!in->failed && !goes_on && in->token.kind != ')' && !state_at_end(in))
         state_advance(in);
     if (!in->failed && !goes_on && is_open(name, f))

@@ -147,7 +147,5 @@ bool value_colour_follows(const pov_reader *in, bool bare);
 paint value_colour(pov_reader *in, bool bare);
 /* The same as five numbers. */
 void value_colour_components(pov_reader *in, bool bare, double out[5]);
-/* `red 1 green .5 ...`, alone or behind other forms, where they replace single channels. */
-void value_colour_channels(pov_reader *in, double out[5]);
 
 #endif

@@ -120,7 +120,8 @@ static void read_form(pov_reader *in, const form *f, bool bare, double out[CHANN
         out[i] = working_of(&in->settings, srgb_decode(out[i]));
 }
 
-void value_colour_channels(pov_reader *in, double out[CHANNELS])
+/* `red 1 green .5 ...`, alone or behind other forms, where they replace single channels. */
+static void read_channels(pov_reader *in, double out[CHANNELS])
 {
     int channel;
 
@@ -171,7 +172,7 @@ void value_colour_components(pov_reader *in, bool bare, double out[CHANNELS])
         else
             report_expected(in, "a colour");
     }
-    value_colour_channels(in, out);
+    read_channels(in, out);
     check_range(in, &at, out);
     for (i = 0; i < CHANNELS && in->failed; i++)
         out[i] = 0.0;

@@ -88,6 +88,8 @@ static void what_is_clipped_away_is_not_met(void **state)
     assert_value(TRACED("sphere { 0, 1 clipped_by { plane { z, 0 } } }"), "-P.z", 1.0);
     assert_value(TRACED("sphere { 0, 1 translate 5*z clipped_by { plane { -z, -5 } } translate -4*z }"), "P.z", 2.0);
     assert_value(TRACED("sphere { 0, 1 clipped_by { plane { y, 0 } plane { -z, 0 } } rotate 180*y }"), "-P.z", 1.0);
+    assert_value(TRACED("sphere { 0, 1 clipped_by { plane { y, 0 } plane { z, 0 } rotate 180*y translate y } }"), "P.z", 1.0);
+    assert_value(TRACED("sphere { 0, 1 clipped_by { plane { -z, 5 } translate -5*z } translate 2*z }"), "P.z", 1.0);
     assert_value(TRACED("union { sphere { 0, 2 clipped_by { plane { -z, 0 } } } sphere { 0, 1 } clipped_by { box { <-9,-9,-.5>, 9 } } }"), "P.z", 1.0);
 }
 
@@ -107,7 +109,7 @@ static void a_triangle_holds_nothing(void **state)
 {
     (void)state;
     assert_value(TRACED("difference { sphere { 0, 1 } triangle { <-2,-2,.5>, <2,-2,.5>, <0,2,.5> } }"), "P.z", 0.5);
-    assert_value("#declare S = triangle { x, y, z inverse }", "1 + inside(S, <9,9,9>)", 1.0);
+    assert_value("#declare S = union { triangle { x, y, z } sphere { 0, 1 } }", "1 + inside(S, <9,9,9>)", 1.0);
 }
 
 /* A member that ends where another is met again and again by rays of an oblique map. */

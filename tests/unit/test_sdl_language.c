@@ -47,6 +47,8 @@ static const expression_case expressions[] = {
     { "(mod(1, 0) ? 1 : 2)", 2 }, { "!mod(1, 0)", 1 }, { "(mod(1, 0) & 1)", 0 }, { "(mod(1, 0) | 0)", 0 },   /* as POV-Ray has it */
     { "(mod(1, 0) = 5)", 1 }, { "(mod(1, 0) != 5)", 0 }, { "(mod(1, 0) < 5)", 0 }, { "(mod(1, 0) <= 5)", 1 }, { "(1e400 = 1e400)", 1 },
     { "(1e400 = -1e400)", 0 }, { "defined(+)", 0 }, { "strlen(chr(0))", 0 }, { "strlen(\"a\\u0000b\")", 1 }, { "file_exists(\"\")", 0 },
+    { "strcmp(datetime(-.00001), \"1999-12-31 23:59:59Z\")", 0 }, { "strcmp(datetime(8765.4321, \"%H:%M:%S\"), \"10:22:13\")", 0 },
+    { "strcmp(datetime(0.999999, \"%j %d\"), \"002 02\")", 0 },
 };
 
 static void expressions_have_their_values(void **state)
@@ -290,6 +292,16 @@ static void what_povray_takes_is_taken(void **state)
     assert_radius("#macro M() #local P = 1; P + 1; #end #macro N() #local P = M(); sphere { 0, P } #end N()", 2);
     assert_radius("#macro M() #local P = 1; P + 1; #end #declare P = 7; #declare P = M(); sphere { 0, P }", 2);
     assert_radius("#macro M() #local A[0] = 9; sphere { 0, A[0] } #end #declare A = array[1] { 1 } M()", 1);
+    assert_radius("#declare P = pigment { rgb 1 } #declare N = normal { bumps } #declare F = finish { phong 1 }"
+                  " sphere { 0, 2 texture { P N F } }", 2);
+    assert_radius("#declare C = rgb 1; sphere { 0, 2 C }", 2);
+    assert_radius("sphere { 0, 2 texture { checker } finish { diffuse .5 .2 } }", 2);
+    assert_radius("#declare C = rgb 1; #declare F = function { pigment { gradient x color_map { [0 2*C] [1, 1 - C] } } } sphere { 0, F(0, 0, 0).red }",
+                  2);
+    assert_radius("#macro M(A) sphere { 0, val(vstr(5, A, \"\", 0, 0)) } #end #declare V = <1, 2, 3>; M(V.y)", 20000);
+    assert_radius("#fopen W \"w\" write #write (W, \"2 0 3\") #fclose W #fopen R \"w\" read #read (R A B) sphere { 0, A + B }", 5);
+    assert_radius("#for (I, 2, 2,) sphere { 0, I } #end", 2);
+    assert_radius("#declare F = function (a, a) { a } sphere { 0, F(1, 2) }", 1);
 }
 
 static void what_povray_refuses_is_refused(void **state)
@@ -300,6 +312,10 @@ static void what_povray_refuses_is_refused(void **state)
         "#macro M() #local A[0] = 9; #debug str(A[0], 0, 0) #end #declare A = array[1]; M()",
         "#fopen W \"w\" write #write (W, \"1\") #fclose W #fopen R \"w\" read #declare A = array[1]; #read (R, A[0])",
         "#fopen W \"w\" write #write (W, \"--1\") #fclose W #fopen R \"w\" read #read (R, A)",
+        "#declare C = rgb 1; #declare D = C red 1;", "#declare F = function (a) { --a }",
+        "#declare F = function (a, b) { a } #declare G = function (a, b) { F(a b) }", "#declare A = min(3 1);",
+        "#declare S = sphere { 0, 1 clipped_by { } }", "#declare T = light_source { 0, 1 } #declare A = inside(T, 0);",
+        "#declare polynomial = 1;", "#declare importance = 1;", "#declare datetime = 1;", "#declare A = datetime(0, \"\");",
     };
     reading r;
     size_t i;

@@ -142,7 +142,7 @@ static void a_value_may_begin_with_a_colours_name(void **state)
     reading r;
 
     (void)state;
-    reading_begin(&r, "#declare C = rgb <.5, .25, 1>; #declare V = C.red * <2, 4, 6>; #declare D = C * .5; #declare E = C green 1;\n"
+    reading_begin(&r, "#declare C = rgb <.5, .25, 1>; #declare V = C.red * <2, 4, 6>; #declare D = C * .5; #declare E = color C green 1;\n"
                       "background { color color D } global_settings { ambient_light E }\n"
                       "light_source { V, C }");
     assert_int_equal(r.status, POV_OK);
