@@ -170,6 +170,17 @@ SIMD_INLINE void join(double parts[][PARTS], uint32_t n, double *restrict out)
 #endif
 }
 
+/* A point by itself, as films have one. */
+static double sum_point(const noise_tables *t, const lattice *l, uint32_t lane)
+{
+    const double *from[CORNERS];
+    double sum[1][PARTS];
+
+    find_corners(t, l, lane, from);
+    sum_corners(l, lane, from, 1, sum);
+    return (sum[0][0] + sum[0][1]) + (sum[0][2] + sum[0][3]);
+}
+
 SIMD_CLONES static void sum_points(const noise_tables *t, const lattice *l, uint32_t n, double *restrict out)
 {
     SIMD_ALIGNED double parts[LANES_MAX][PARTS];
@@ -285,10 +296,12 @@ SIMD_INLINE bool are_runs_long(uint64_t ends, uint32_t n) { return 3 * (uint32_t
 
 static void sum_scalar(const noise_tables *t, const lattice *l, uint32_t n, double *restrict out)
 {
-    const uint64_t ends = find_ends(l, n);
+    const uint64_t ends = n > 1 ? find_ends(l, n) : 1;
     double *const to[] = { out };
 
-    if (are_runs_long(ends, n))
+    if (n == 1)
+        out[0] = sum_point(t, l, 0);
+    else if (are_runs_long(ends, n))
         sum_runs(t, l, n, ends, 1, to);
     else
         sum_points(t, l, n, out);
@@ -310,7 +323,13 @@ static void sum_vector(const noise_tables *t, const lattice *l, uint32_t n, vec_
         join(parts[j], n, to[j]);
 }
 #else
-static void sum_scalar(const noise_tables *t, const lattice *l, uint32_t n, double *out) { sum_points(t, l, n, out); }
+static void sum_scalar(const noise_tables *t, const lattice *l, uint32_t n, double *out)
+{
+    if (n == 1)
+        out[0] = sum_point(t, l, 0);
+    else
+        sum_points(t, l, n, out);
+}
 
 SIMD_CLONES static void sum_vector(const noise_tables *t, const lattice *l, uint32_t n, vec_lanes *restrict out)
 {
