@@ -31,11 +31,16 @@ static bool leads_to(const value *v, value_kind kind)
     return v && (v->kind == VALUE_ARRAY || v->kind == kind);
 }
 
+bool items_name_follows(const pov_reader *in, value_kind kind)
+{
+    return in->token.kind == TOKEN_WORD && leads_to(scope_value(in->token.symbol), kind);
+}
+
 bool items_read_named(pov_reader *in, value_kind kind, value *out)
 {
     const place at = in->token.at;
 
-    if (in->token.kind != TOKEN_WORD || !leads_to(scope_value(in->token.symbol), kind))
+    if (!items_name_follows(in, kind))
         return false;
     *out = expression_read(in);
     if (!in->failed && out->kind != kind)
@@ -92,10 +97,16 @@ void items_refuse(pov_reader *in, const item_list *list)
     report_misplaced(in, wanted, &g);
 }
 
+/* Names of other parts stand for all that was read before, so that they come first. */
+static bool comes_too_late(const pov_reader *in, const item_list *list)
+{
+    return list->take && list->takes != VALUE_TRANSFORM && list->takes != VALUE_VECTOR && items_name_follows(in, list->takes);
+}
+
 void items_until(pov_reader *in, int end, const item_list *list, void *self)
 {
-    while (!in->failed && in->token.kind != end)
-        if (!items_try(in, list, self))
+    for (bool is_first = true; !in->failed && in->token.kind != end; is_first = false)
+        if ((!is_first && comes_too_late(in, list)) || !items_try(in, list, self))
             items_refuse(in, list);
 }
 

@@ -29,6 +29,7 @@ void items_open(pov_reader *in, block *b);
 void items_close(pov_reader *in, block *b, const item_list *list, void *self);
 /* Items up to the punctuation, which is not taken. */
 void items_until(pov_reader *in, int end, const item_list *list, void *self);
+bool items_name_follows(const pov_reader *in, value_kind kind);
 /* A name, or an element of an array, that leads to a part of the scene of that kind, if one is next. */
 bool items_read_named(pov_reader *in, value_kind kind, value *out);
 /* What stands next is no item of the list. */
