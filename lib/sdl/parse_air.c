@@ -261,8 +261,11 @@ static void read_rainbow_number(pov_reader *in, void *self, keyword_id keyword)
 
 static void read_rainbow_axis(pov_reader *in, void *self, keyword_id keyword)
 {
-    const pov_vec3 axis = pov_unit(value_vector(in));
+    pov_vec3 axis = value_vector(in);
 
+    if (!in->failed && !(pov_largest(axis) > 0.0))
+        report_fail(in, &in->value, POV_E_SYNTAX, "\"%s\" of a rainbow must not be zero", token_keyword_name(keyword));
+    axis = pov_unit(axis);
     if (keyword == KEYWORD_UP)
         ((rainbow *)self)->up = axis;
     else
@@ -302,10 +305,11 @@ const rainbow *parse_rainbow_node(pov_reader *in)
 
     memset(&r, 0, sizeof r);
     r.up = pov_vec3_of(0.0, 1.0, 0.0);
-    r.direction = pov_vec3_of(0.0, 0.0, 1.0);
     r.arc = r.falloff = 360.0;
     r.distance = 1e7;
     items_block(in, &list, &r);
+    if (!in->failed && !(pov_largest(r.direction) > 0.0))
+        report_fail(in, &in->last, POV_E_SYNTAX, "a rainbow needs a \"direction\"");
     return in->failed ? NULL : keep(in, &r, sizeof r);
 }
 

@@ -160,7 +160,7 @@ void text_file_free_all(pov_reader *in)
 
 static source *open_to_read(pov_reader *in, const string *name)
 {
-    char path[INCLUDE_PATH_MAX], *bytes;
+    char path[INCLUDE_PATH_MAX], *bytes, *kept;
     size_t length;
     pov_error error;
     source *s;
@@ -174,7 +174,10 @@ static source *open_to_read(pov_reader *in, const string *name)
     }
     if (in->failed)
         return NULL;
-    s = source_add(&in->sources, bytes, length, "(read)");
+    kept = state_alloc(in, name->length + 1, 1);
+    if (kept)
+        memcpy(kept, name->text, name->length + 1);
+    s = kept ? source_add(&in->sources, bytes, length, kept) : NULL;
     if (s) {
         s->owned = bytes;
         return s;

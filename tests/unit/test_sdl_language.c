@@ -316,6 +316,7 @@ static void what_povray_refuses_is_refused(void **state)
         "#declare F = function (a, b) { a } #declare G = function (a, b) { F(a b) }", "#declare A = min(3 1);",
         "#declare S = sphere { 0, 1 clipped_by { } }", "#declare T = light_source { 0, 1 } #declare A = inside(T, 0);",
         "#declare F = finish { phong 1 } sphere { 0, 1 finish { ambient 1 F } }", "#declare I = interior { ior 2 } sphere { 0, 1 interior { I I } }",
+        "rainbow { angle 40 width 5 color_map { [0 rgb 1] } }", "rainbow { direction 0 angle 40 width 5 color_map { [0 rgb 1] } }",
         "#declare C = camera { location x } camera { location y C }",
         "#declare polynomial = 1;", "#declare importance = 1;", "#declare datetime = 1;", "#declare A = datetime(0, \"\");",
     };
