@@ -7,6 +7,7 @@
 #include "common/bernstein.h"
 #include "common/boxed.h"
 #include "common/cell_box.h"
+#include "common/runs.h"
 
 /* A component in a space where it is the unit sphere, or what is nearer than one to the line from 0 to z = length. */
 typedef struct component {
@@ -24,6 +25,7 @@ typedef struct blob {
     double threshold;
     bool textured;
     common_boxed boxed;
+    common_runs runs;
     pov_box box;                 /* around all that is inside, scaled */
 } blob;
 
@@ -213,6 +215,8 @@ static void place(blob *b)
             for (int k = 0; k < 3; k++)
                 c->m[j][k] *= back;
         }
+        if (b->runs.box)
+            common_runs_add(&b->runs, i, c->lo, c->hi);
     }
 }
 
@@ -272,6 +276,8 @@ static void parse(void *self, const pov_host *host, pov_reader *in)
         host->fail(in, "a blob needs at least one component with a radius");
         return;
     }
+    b->runs.count = b->count;
+    b->runs.box = b->count > 2 * COMMON_RUN ? host->alloc(in, (b->count / COMMON_RUN + 1) * sizeof *b->runs.box) : NULL;
     place(b);
     whole.lo = b->boxed.lo;
     whole.hi = b->boxed.hi;
@@ -295,7 +301,7 @@ static bool bounds(const void *self, pov_box *out)
 /* d^2 / r^2 = a t^2 + 2 b t + c between two distances; the field adds no more than `most` there. */
 typedef struct stretch { double lo, hi, a, b, c, strength, most; } stretch;
 
-typedef struct line { pov_vec3 o, d; double base; common_span span; common_wanted wanted; const common_ray *k; } line;
+typedef struct line { pov_vec3 o, d, inverse; double base; common_span span; common_wanted wanted; const common_ray *k; } line;
 
 static size_t scratch(const void *self)
 {
@@ -455,10 +461,11 @@ static void cross(const void *self, const pov_ray *ray, const common_entry *e, p
     n.base = from_here ? 0.0 : e->span.lo;
     n.o = common_along(n.k, n.base);
     n.d = n.k->d;
+    n.inverse = pov_vec3_of(1.0 / n.d.x, 1.0 / n.d.y, 1.0 / n.d.z);
     n.span.lo = from_here ? -NEAR : 0.0;
     n.span.hi = e->span.hi - n.base;
     n.wanted = common_wants(n.k, n.base, from_here ? NEAR : -HUGE_VAL, hits);
-    for (uint32_t i = 0; i < b->count; i++)
+    for (uint32_t i = 0; (i = common_runs_met(&b->runs, i, n.o, n.inverse, n.span.lo, n.span.hi)) < b->count; i++)
         count += b->at[i].per_square > 0.0 ? find_sphere(&b->at[i], &n, s + count) : find_stretches(&b->at[i], &n, s + count);
     for (uint32_t i = 0; i < count; i++)
         most += s[i].most;
@@ -504,7 +511,7 @@ static bool inside(const void *self, pov_vec3 point, pov_vec3 point_lo)
     double sum = 0.0;
     pov_vec3 slope;
 
-    for (uint32_t i = 0; i < b->count; i++)
+    for (uint32_t i = 0; (i = common_runs_near(&b->runs, i, p)) < b->count; i++)
         sum += field_of(&b->at[i], p, &slope);
     return sum > b->threshold;
 }
@@ -516,7 +523,7 @@ static void normal(const void *self, const pov_ray *ray, const pov_crossing *at,
     const pov_vec3 p = pov_two3_hi(common_point(&k, at));
     pov_vec3 sum = { 0.0, 0.0, 0.0 }, slope;
 
-    for (uint32_t i = 0; i < b->count; i++) {
+    for (uint32_t i = 0; (i = common_runs_near(&b->runs, i, p)) < b->count; i++) {
         field_of(&b->at[i], p, &slope);
         sum = pov_sub(sum, slope);
     }
@@ -559,7 +566,7 @@ static uint32_t textures(const void *self, pov_vec3 point, pov_vec3 point_lo, co
     pov_vec3 slope;
 
     (void)mark;
-    for (uint32_t i = 0; b->textured && i < b->count; i++) {
+    for (uint32_t i = 0; b->textured && (i = common_runs_near(&b->runs, i, p)) < b->count; i++) {
         const double field = fabs(field_of(&b->at[i], p, &slope));
 
         if (field > 0.0)

@@ -1,0 +1,66 @@
+/* runs.h - many parts of a shape in the order in which they were written, by boxes around runs of them: neighbours in the
+ * text are mostly neighbours in space. What is left out of a run has no part in the sum, so sums keep their order and their bits. */
+#ifndef COMMON_RUNS_H
+#define COMMON_RUNS_H
+
+#include "common/local.h"
+
+#include <math.h>
+
+enum { COMMON_RUN = 16 };
+
+/* In coordinates of the order of one. No boxes: all parts count. */
+typedef struct common_runs { uint32_t count; pov_box *box; } common_runs;
+
+/* The box of part i; far more than roundings around it. */
+static inline void common_runs_add(common_runs *r, uint32_t i, pov_vec3 lo, pov_vec3 hi)
+{
+    const double margin = 0x1p-20;
+    pov_box *box = &r->box[i / COMMON_RUN];
+    const bool first = i % COMMON_RUN == 0;
+
+    lo = pov_vec3_of(lo.x - margin, lo.y - margin, lo.z - margin);
+    hi = pov_vec3_of(hi.x + margin, hi.y + margin, hi.z + margin);
+    box->lo = first ? lo : pov_vec3_of(fmin(box->lo.x, lo.x), fmin(box->lo.y, lo.y), fmin(box->lo.z, lo.z));
+    box->hi = first ? hi : pov_vec3_of(fmax(box->hi.x, hi.x), fmax(box->hi.y, hi.y), fmax(box->hi.z, hi.z));
+}
+
+static inline bool common_run_near(const pov_box *box, pov_vec3 p)
+{
+    return p.x >= box->lo.x && p.x <= box->hi.x && p.y >= box->lo.y && p.y <= box->hi.y && p.z >= box->lo.z && p.z <= box->hi.z;
+}
+
+/* Where 0 times infinity is no number, the line runs in a face of the box, far from the parts. */
+static inline bool common_run_axis(double lo, double hi, double o, double inverse, double *from, double *to)
+{
+    const double a = (lo - o) * inverse, b = (hi - o) * inverse, first = a < b ? a : b, last = a < b ? b : a;
+
+    *from = first > *from ? first : *from;
+    *to = last < *to ? last : *to;
+    return !(*from > *to);
+}
+
+/* A line from o, with 1 / its direction, between two distances. */
+static inline bool common_run_met(const pov_box *box, pov_vec3 o, pov_vec3 inverse, double from, double to)
+{
+    return common_run_axis(box->lo.x, box->hi.x, o.x, inverse.x, &from, &to) &&
+           common_run_axis(box->lo.y, box->hi.y, o.y, inverse.y, &from, &to) &&
+           common_run_axis(box->lo.z, box->hi.z, o.z, inverse.z, &from, &to);
+}
+
+/* The first part from i on whose run may have the point. */
+static inline uint32_t common_runs_near(const common_runs *r, uint32_t i, pov_vec3 p)
+{
+    while (r->box && i < r->count && i % COMMON_RUN == 0 && !common_run_near(&r->box[i / COMMON_RUN], p))
+        i += COMMON_RUN;
+    return i;
+}
+
+static inline uint32_t common_runs_met(const common_runs *r, uint32_t i, pov_vec3 o, pov_vec3 inverse, double from, double to)
+{
+    while (r->box && i < r->count && i % COMMON_RUN == 0 && !common_run_met(&r->box[i / COMMON_RUN], o, inverse, from, to))
+        i += COMMON_RUN;
+    return i;
+}
+
+#endif
