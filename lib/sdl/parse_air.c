@@ -60,7 +60,8 @@ static void take_sky(pov_reader *in, void *self, const value *v)
 
     (void)in;
     r->sky = *(const sky_sphere *)v->as.part;
-    memcpy(r->layers, r->sky.layers, r->sky.count * sizeof *r->layers);
+    if (r->sky.count > 0)
+        memcpy(r->layers, r->sky.layers, r->sky.count * sizeof *r->layers);
 }
 
 const sky_sphere *parse_sky_node(pov_reader *in)

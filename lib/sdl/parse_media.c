@@ -114,7 +114,8 @@ static void take_media(pov_reader *in, void *self, const value *v)
         return;
     r->medium = *(const medium *)v->as.part;
     r->samples = r->medium.strata;
-    memcpy(r->densities, r->medium.densities, r->medium.density_count * sizeof *r->densities);
+    if (r->medium.density_count > 0)
+        memcpy(r->densities, r->medium.densities, r->medium.density_count * sizeof *r->densities);
 }
 
 /* ---- media ---- */
