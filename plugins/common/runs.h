@@ -15,12 +15,12 @@ typedef struct common_runs { uint32_t count; pov_box *box; } common_runs;
 /* The box of part i; far more than roundings around it. */
 static inline void common_runs_add(common_runs *r, uint32_t i, pov_vec3 lo, pov_vec3 hi)
 {
-    const double margin = 0x1p-20;
+    const double by = 0x1p-20;
     pov_box *box = &r->box[i / COMMON_RUN];
     const bool first = i % COMMON_RUN == 0;
 
-    lo = pov_vec3_of(lo.x - margin, lo.y - margin, lo.z - margin);
-    hi = pov_vec3_of(hi.x + margin, hi.y + margin, hi.z + margin);
+    lo = pov_vec3_of(lo.x - by, lo.y - by, lo.z - by);
+    hi = pov_vec3_of(hi.x + by, hi.y + by, hi.z + by);
     box->lo = first ? lo : pov_vec3_of(fmin(box->lo.x, lo.x), fmin(box->lo.y, lo.y), fmin(box->lo.z, lo.z));
     box->hi = first ? hi : pov_vec3_of(fmax(box->hi.x, hi.x), fmax(box->hi.y, hi.y), fmax(box->hi.z, hi.z));
 }
@@ -41,7 +41,7 @@ static inline bool common_run_axis(double lo, double hi, double o, double invers
 }
 
 /* A line from o, with 1 / its direction, between two distances. */
-static inline bool common_run_met(const pov_box *box, pov_vec3 o, pov_vec3 inverse, double from, double to)
+static inline bool common_run_hit(const pov_box *box, pov_vec3 o, pov_vec3 inverse, double from, double to)
 {
     return common_run_axis(box->lo.x, box->hi.x, o.x, inverse.x, &from, &to) &&
            common_run_axis(box->lo.y, box->hi.y, o.y, inverse.y, &from, &to) &&
@@ -56,9 +56,9 @@ static inline uint32_t common_runs_near(const common_runs *r, uint32_t i, pov_ve
     return i;
 }
 
-static inline uint32_t common_runs_met(const common_runs *r, uint32_t i, pov_vec3 o, pov_vec3 inverse, double from, double to)
+static inline uint32_t common_runs_hit(const common_runs *r, uint32_t i, pov_vec3 o, pov_vec3 inverse, double from, double to)
 {
-    while (r->box && i < r->count && i % COMMON_RUN == 0 && !common_run_met(&r->box[i / COMMON_RUN], o, inverse, from, to))
+    while (r->box && i < r->count && i % COMMON_RUN == 0 && !common_run_hit(&r->box[i / COMMON_RUN], o, inverse, from, to))
         i += COMMON_RUN;
     return i;
 }

@@ -465,7 +465,7 @@ static void cross(const void *self, const pov_ray *ray, const common_entry *e, p
     n.span.lo = from_here ? -NEAR : 0.0;
     n.span.hi = e->span.hi - n.base;
     n.wanted = common_wants(n.k, n.base, from_here ? NEAR : -HUGE_VAL, hits);
-    for (uint32_t i = 0; (i = common_runs_met(&b->runs, i, n.o, n.inverse, n.span.lo, n.span.hi)) < b->count; i++)
+    for (uint32_t i = 0; (i = common_runs_hit(&b->runs, i, n.o, n.inverse, n.span.lo, n.span.hi)) < b->count; i++)
         count += b->at[i].per_square > 0.0 ? find_sphere(&b->at[i], &n, s + count) : find_stretches(&b->at[i], &n, s + count);
     for (uint32_t i = 0; i < count; i++)
         most += s[i].most;
