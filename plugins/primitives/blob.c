@@ -8,6 +8,7 @@
 #include "common/boxed.h"
 #include "common/cell_box.h"
 #include "common/runs.h"
+#include "common/simd.h"
 
 /* A component in a space where it is the unit sphere, or what is nearer than one to the line from 0 to z = length. */
 typedef struct component {
@@ -187,7 +188,6 @@ static bool read_item(blob *b, const pov_host *host, pov_reader *in)
 /* About the middle of all boxes, scaled to the order of one. */
 static void place(blob *b)
 {
-    const pov_vec3 zero = { 0.0, 0.0, 0.0 };
     pov_vec3 lo = b->at[0].lo, hi = b->at[0].hi, middle;
     double back;
 
@@ -198,7 +198,7 @@ static void place(blob *b)
         hi = pov_vec3_of(fmax(hi.x, c->hi.x), fmax(hi.y, c->hi.y), fmax(hi.z, c->hi.z));
     }
     middle = pov_scale(pov_add(lo, hi), 0.5);
-    b->boxed.anchor = pov_two3_of(middle, zero);
+    b->boxed.anchor = pov_two3_of(middle, pov_vec3_of(0.0, 0.0, 0.0));
     b->boxed.scale = pov_inverse_power(pov_largest(pov_sub(hi, lo)));
     back = common_inverse(b->boxed.scale);
     b->boxed.lo = pov_scale(pov_sub(lo, middle), b->boxed.scale);
@@ -220,10 +220,6 @@ static void place(blob *b)
     }
 }
 
-/* Calls of fmin() and fmax() cost more than all else here. */
-static inline double smaller(double a, double b) { return a < b ? a : b; }
-static inline double larger(double a, double b) { return a > b ? a : b; }
-
 static pov_vec3 mapped(const component *c, pov_vec3 p, double one)
 {
     return pov_vec3_of(c->m[0][0] * p.x + c->m[0][1] * p.y + c->m[0][2] * p.z + c->m[0][3] * one,
@@ -238,13 +234,13 @@ static double nearest_of(const component *c, const pov_box *cell)
     pov_vec3 q = mapped(c, pov_add(cell->lo, half), 1.0);
     double reach = 0.0;
 
-    q.z -= smaller(larger(q.z, 0.0), c->length);
+    q.z -= common_lesser(common_greater(q.z, 0.0), c->length);
     for (int i = 0; i < 3; i++) {
         const double by = fabs(c->m[i][0]) * half.x + fabs(c->m[i][1]) * half.y + fabs(c->m[i][2]) * half.z;
 
         reach += by * by;
     }
-    return larger(sqrt(pov_dot(q, q)) - sqrt(reach), 0.0);
+    return common_greater(sqrt(pov_dot(q, q)) - sqrt(reach), 0.0);
 }
 
 /* Far more than roundings. */
@@ -258,7 +254,7 @@ static bool may_hold(const void *self, const pov_box *cell)
     for (uint32_t i = 0; i < b->count; i++) {
         const double near = nearest_of(&b->at[i], cell), depth = 1.0 - near * near;
 
-        most += near < 1.0 ? larger(b->at[i].strength, 0.0) * depth * depth : 0.0;
+        most += near < 1.0 ? common_greater(b->at[i].strength, 0.0) * depth * depth : 0.0;
     }
     return !stays_below(b, most);
 }
@@ -279,8 +275,7 @@ static void parse(void *self, const pov_host *host, pov_reader *in)
     b->runs.count = b->count;
     b->runs.box = b->count > 2 * COMMON_RUN ? host->alloc(in, (b->count / COMMON_RUN + 1) * sizeof *b->runs.box) : NULL;
     place(b);
-    whole.lo = b->boxed.lo;
-    whole.hi = b->boxed.hi;
+    whole = (pov_box){ b->boxed.lo, b->boxed.hi };
     if (b->count > FEW || !common_cell_box(b, &whole, may_hold, &b->box))
         b->box = whole;
 }
@@ -320,10 +315,10 @@ static uint32_t keep(stretch *s, common_span within)
         return 0;
     middle = -s->b / s->a;
     half = sqrt(d) / s->a;
-    s->lo = larger(within.lo, middle - half);
-    s->hi = smaller(within.hi, middle + half);
+    s->lo = common_greater(within.lo, middle - half);
+    s->hi = common_lesser(within.hi, middle + half);
     depth = d / s->a;
-    s->most = larger(s->strength, 0.0) * depth * depth;
+    s->most = common_greater(s->strength, 0.0) * depth * depth;
     return s->lo < s->hi;
 }
 
@@ -358,10 +353,10 @@ static uint32_t find_stretches(const component *c, const line *n, stretch *out)
         out[0] = o.z < c->length ? tube : far;
         return keep(out, n->span);
     }
-    start.hi = smaller(start.hi, d.z > 0.0 ? first : second);
-    middle.lo = larger(middle.lo, d.z > 0.0 ? first : second);
-    middle.hi = smaller(middle.hi, d.z > 0.0 ? second : first);
-    end.lo = larger(end.lo, d.z > 0.0 ? second : first);
+    start.hi = common_lesser(start.hi, d.z > 0.0 ? first : second);
+    middle.lo = common_greater(middle.lo, d.z > 0.0 ? first : second);
+    middle.hi = common_lesser(middle.hi, d.z > 0.0 ? second : first);
+    end.lo = common_greater(end.lo, d.z > 0.0 ? second : first);
     out[0] = d.z > 0.0 ? near_end : far;
     count += keep(&out[0], start);
     out[count] = tube;
@@ -370,7 +365,7 @@ static uint32_t find_stretches(const component *c, const line *n, stretch *out)
         count += keep(&out[count], middle);
     } else if (tube.c < 1.0 && middle.lo < middle.hi) {
         out[count].lo = middle.lo;
-        out[count].most = larger(c->strength, 0.0);
+        out[count].most = common_greater(c->strength, 0.0);
         out[count++].hi = middle.hi;
     }
     out[count] = d.z > 0.0 ? far : near_end;
@@ -491,7 +486,7 @@ static double field_of(const component *c, pov_vec3 p, pov_vec3 *slope)
     pov_vec3 q = mapped(c, p, 1.0);
     double depth, factor;
 
-    q.z -= smaller(larger(q.z, 0.0), c->length);
+    q.z -= common_lesser(common_greater(q.z, 0.0), c->length);
     depth = 1.0 - pov_dot(q, q);
     if (!(depth > 0.0)) {
         *slope = pov_vec3_of(0.0, 0.0, 0.0);

@@ -40,7 +40,7 @@ MUTATIONS = [
     ('coincident surfaces: the later wins', 'at > 0 && model_is_before(m, h->object, s->at[at - 1].object)',
      'at > 0 && model_is_before(m, s->at[at - 1].object, h->object)',
      'limits/test_coincident'),
-    ('isolated solids: no margin', 'margin = 0x1p-20;\n', 'margin = 0.0;\n', 'unit/test_world_isolated'),
+    ('isolated solids: no margin', 'static const double margin = 0x1p-20;\n', 'static const double margin = 0.0;\n', 'unit/test_world_isolated'),
     ('filter of instances: bound / 48', '(48.0f *', '(1.0f *', 'unit/test_world_instance'),
     ('sphere: a miss is certain without its bound', 'if (h.d < -(h.d_error + 10.0 * COMMON_U * fabs(h.d)))',
      'if (h.d < 0.0)', 'plugins/test_contract'),
