@@ -234,17 +234,6 @@ static void say_partial(const render *r)
         messages_say(r->messages, "interrupted: %s holds %.3g samples a pixel%s", name, p->spp_mean, error);
 }
 
-/* Upper end of the last pass's confidence band. */
-static double last_band(pov_job *job)
-{
-    pov_pass row = POV_INIT(row);
-    double end = 1.0;
-
-    for (size_t i = 0; pov_job_get_pass(job, i, &row); i++)
-        end = row.est_ci95_hi;
-    return end;
-}
-
 /* The reason why refinement ended, when there was a choice. Where all samples were alike nothing is known of the error, so what
  * was asked for was not reached, however many samples there are. */
 static void say_end(render *r)
@@ -253,6 +242,7 @@ static void say_end(render *r)
     const pov_progress *p = &r->progress;
     const bool alike = p->stop == POV_STOP_ERROR && p->est_rmse == 0.0;
     char reached[160] = "", percent[16];
+    pov_pass last = POV_INIT(last);
 
     r->short_of = (p->stop == POV_STOP_TIME && (a->error > 0.0 || a->samples > 0 || p->spp_mean < 1.0)) ||
                   (p->stop == POV_STOP_SAMPLES && a->error > 0.0) || alike;
@@ -265,7 +255,7 @@ static void say_end(render *r)
     }
     if (p->est_rmse == 0.0)
         snprintf(reached, sizeof reached, ", all samples alike; not excluded: a feature of less than %.3g of 4 x 4 pixels",
-                 last_band(r->job));
+                 report_last_pass(r->job, &last) ? last.est_ci95_hi : 1.0);
     else if (p->est_rmse > 0.0)
         snprintf(reached, sizeof reached, ", estimated error %.3g", p->est_rmse);
     messages_say(r->messages, "stopped: %s after %.2f s; %.1f samples a pixel%s%s",

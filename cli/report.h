@@ -27,6 +27,9 @@ pov_status report_check(pov_context *context, const args *a, pov_error *err);
 /* `r` has all but the rows. */
 pov_status report_write(report *r, pov_error *err);
 
+/* The last pass that ended; false: none has. */
+bool report_last_pass(pov_job *job, pov_pass *out);
+
 /* ---- for the files that write one form each ---- */
 
 /* Values derived from a row and the one before it (NULL: none). Below zero, and NaN for the slope: not known. */

@@ -17,6 +17,15 @@ report_figures report_figures_of(const pov_pass *row, const pov_pass *before)
     return f;
 }
 
+bool report_last_pass(pov_job *job, pov_pass *out)
+{
+    size_t n = 0;
+
+    while (pov_job_get_pass(job, n, out))
+        n++;
+    return n > 0;
+}
+
 const char *report_stop(const report *r)
 {
     switch (r->progress->stop) {

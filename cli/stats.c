@@ -1,5 +1,6 @@
 #include "stats.h"
 #include "progress.h"
+#include "report.h"
 
 #include <sys/resource.h>
 
@@ -100,25 +101,15 @@ static void print_classes(FILE *to, pov_job *job)
     }
 }
 
-/* Of all threads, until the last pass ended. */
-static double processor_time(pov_job *job)
-{
-    pov_pass row = POV_INIT(row);
-    double spent = 0.0;
-
-    for (size_t i = 0; pov_job_get_pass(job, i, &row); i++)
-        spent = row.cpu_s;
-    return spent;
-}
-
 static void print_render(FILE *to, const stats *s)
 {
     const args *a = s->args;
+    pov_pass last = POV_INIT(last);
     uint64_t width = (uint64_t)(a->crop.width ? a->crop.width : a->width);
     uint64_t height = (uint64_t)(a->crop.width ? a->crop.height : a->height);
 
     seconds(to, "trace", s->progress->seconds);
-    seconds(to, "trace_cpu", processor_time(s->job));
+    seconds(to, "trace_cpu", report_last_pass(s->job, &last) ? last.cpu_s : 0.0);
     seconds(to, "write", s->write_seconds);
     count(to, "pixels", width * height, "pixels");
     fprintf(to, "samples: %.6g per_pixel\n", s->progress->spp_mean);

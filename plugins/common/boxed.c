@@ -194,13 +194,7 @@ static void normals_of(const common_boxed *b, common_normal_at *normal_at, const
     common_lane3 points;
     common_rays lanes;
 
-    for (uint32_t first = 0; first < N; first += HALF) {
-        const pov_crossing *const some[HALF] = { at[common_lane_of(first, n)], at[common_lane_of(first + 1, n)],
-                                                 at[common_lane_of(first + 2, n)], at[common_lane_of(first + 3, n)] };
-
-        common_put_four_of(&lanes, first, rays, n);
-        common_put_four_crossings(t, t_lo, first, some);
-    }
+    common_put_crossings_of(&lanes, t, t_lo, rays, at, n);
     find_points(b, &lanes, t, t_lo, &points);
     for (uint32_t i = 0; i < n; i++)
         normal_at(self, common_get(&points, i), rays[i], at[i], out[i]);

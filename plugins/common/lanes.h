@@ -144,6 +144,19 @@ COMMON_INLINE void common_put_four_crossings(double *t, double *t_lo, uint32_t i
 #endif
 }
 
+/* Rays and their crossings into all lanes; the last pair fills those behind it. */
+COMMON_INLINE void common_put_crossings_of(common_rays *l, double *t, double *t_lo, const pov_ray *const *rays,
+                                           const pov_crossing *const *at, uint32_t n)
+{
+    for (uint32_t i = 0; i < COMMON_LANES; i += 4) {
+        const pov_crossing *const some[4] = { at[common_lane_of(i, n)], at[common_lane_of(i + 1, n)], at[common_lane_of(i + 2, n)],
+                                              at[common_lane_of(i + 3, n)] };
+
+        common_put_four_of(l, i, rays, n);
+        common_put_four_crossings(t, t_lo, i, some);
+    }
+}
+
 /* The ray of a lane, without its origin surface. */
 static inline pov_ray common_get_ray(const common_rays *l, uint32_t i)
 {

@@ -136,13 +136,7 @@ static void normals_of(const common_polynomial *p, const pov_ray *const *rays, c
     common_lane3 unit;
     common_rays lanes;
 
-    for (uint32_t first = 0; first < N; first += HALF) {
-        const pov_crossing *const some[HALF] = { at[common_lane_of(first, n)], at[common_lane_of(first + 1, n)],
-                                                 at[common_lane_of(first + 2, n)], at[common_lane_of(first + 3, n)] };
-
-        common_put_four_of(&lanes, first, rays, n);
-        common_put_four_crossings(t, t_lo, first, some);
-    }
+    common_put_crossings_of(&lanes, t, t_lo, rays, at, n);
     find_normals(p, &lanes, t, t_lo, &unit, good);
     for (uint32_t i = 0; i < n; i++)
         if (good[i] > 0.0)
