@@ -241,8 +241,9 @@ const bvh_kernels *bvh_kernels_best(void)
 {
 #if defined(__AVX2__) && defined(__FMA__)   /* in a virtual machine each question to the processor takes 8 us */
     return &bvh_kernels_avx2;
-#endif
+#else
     return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") ? &bvh_kernels_avx2 : &bvh_kernels_portable;
+#endif
 }
 
 #else
