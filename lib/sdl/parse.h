@@ -43,12 +43,13 @@ typedef struct object_parsed {
     uint32_t part_count;
     struct object_parsed *clips;          /* the surface is seen where these are */
     struct object_parsed *bounds;         /* of bounded_by, which only clipped_by { bounded_by } asks for */
-    const transform *since;      /* of one that clips: the object's map when it was written, which does not move it */
+    const transform *since;      /* of one that clips or belongs to a light: their map when it was written, which does not move it */
     const surface_parsed *shared;   /* of one that is kept: its surface; NULL: it is the one below */
     /* What follows is there while the object is read, in names' values, and of lights. */
     surface_parsed surface;
     light light;                 /* before its map; what it looks like is `first` */
     pov_vec3 point_at;
+    const transform *aimed, *spread;      /* a light's map when its point_at and its area's axes were written */
 } object_parsed;
 
 static inline const surface_parsed *parse_surface_of(const object_parsed *o)

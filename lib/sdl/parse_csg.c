@@ -87,7 +87,7 @@ static uint32_t find_moves(const object_parsed *o, const around *a)
     for (; a && !s->has_look; a = a->outer)
         s = parse_surface_of(a->group);
     for (moves = s->moves; a; a = a->outer)
-        moves += parse_count_transforms(a->group->map);
+        moves += parse_count_transforms(a->group->map) - parse_count_transforms(a->since);
     return s->has_look ? moves : 0;
 }
 
@@ -172,28 +172,41 @@ static bool add_leaf(pov_reader *in, const object_parsed *o, const around *a, no
     return !in->failed;
 }
 
-static void move_light(light *l, const pov_affine *m, pov_vec3 *point_at)
+/* What moves a part of a light: all behind `since`, and the groups around. False: doubles don't hold it. */
+static bool compose_since(pov_reader *in, const object_parsed *o, const around *a, const transform *since, pov_affine *out)
 {
+    const transform *map = NULL;
+
+    parse_append_transforms(in, &map, o->map, since);
+    for (; a; a = a->outer)
+        parse_append_transforms(in, &map, a->group->map, a->since);
+    return transform_compose(map, out);
+}
+
+static bool move_light(pov_reader *in, const object_parsed *o, const around *a, light *l, pov_vec3 *point_at)
+{
+    pov_affine whole, aim, spread;
     pov_vec3 low;
 
-    transform_point(m, *point_at, point_at, &low);
-    transform_point(m, l->position, &l->position, &l->position_lo);
+    if (!compose_since(in, o, a, NULL, &whole) || !compose_since(in, o, a, o->aimed, &aim) || !compose_since(in, o, a, o->spread, &spread))
+        return false;
+    transform_point(&aim, o->point_at, point_at, &low);
+    transform_point(&whole, o->light.position, &l->position, &l->position_lo);
     for (int i = 0; i < 2; i++)
-        l->area.axes[i] = transform_direction(m, l->area.axes[i]);
+        l->area.axes[i] = transform_direction(&spread, l->area.axes[i]);
+    return true;
 }
 
 /* through: the first leaf of what it is projected through; those to the last are that. */
 static void add_light(pov_reader *in, const object_parsed *o, const around *a, uint32_t through)
 {
-    const transform *map = find_map(in, o, a);
-    pov_affine m;
     pov_vec3 point_at = o->point_at;
     light l = o->light;
-    bool is_fine = !map || transform_compose(map, &m);
+    bool is_fine = true;
 
     l.position_lo = pov_vec3_of(0.0, 0.0, 0.0);
-    if (map && is_fine)
-        move_light(&l, &m, &point_at);
+    if (find_map(in, o, a))
+        is_fine = move_light(in, o, a, &l, &point_at);
     l.group = a ? a->lights : 0;
     l.through = through;
     l.through_count = (uint32_t)in->model->leaves.count - through;
@@ -292,12 +305,16 @@ static bool add_group(pov_reader *in, const object_parsed *o, const around *a, n
 static bool add_light_and_objects(pov_reader *in, const object_parsed *o, const around *a, node_ref *out)
 {
     const group_node both = { .op = NODE_UNION, .line = o->leaf.line, .column = o->leaf.column };
-    const around here = { .outer = a, .group = o, .lights = a ? a->lights : 0 };
+    around here = { .outer = a, .group = o, .lights = a ? a->lights : 0 };
     const uint32_t leaf = (uint32_t)in->model->leaves.count;
-    const bool is_through = o->through && add(in, o->through, &here, out);
-    node_ref children[2] = { is_through ? *out : 0, 0 };
+    node_ref children[2] = { 0, 0 };
+    bool is_through;
 
+    here.since = o->through ? o->through->since : NULL;
+    is_through = o->through && add(in, o->through, &here, out);
+    children[0] = is_through ? *out : 0;
     add_light(in, o, a, leaf);
+    here.since = o->first ? o->first->since : NULL;
     if (in->failed || !o->first || !add(in, o->first, &here, &children[1]))
         return is_through && !in->failed;
     *out = children[1];

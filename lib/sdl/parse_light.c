@@ -14,6 +14,7 @@ typedef struct light_reading {
 
 static light *light_of(void *self) { return &((light_reading *)self)->out->light; }
 
+/* A transformation moves what has been said so far: a point_at behind it stays. */
 static void move_light(pov_reader *in, void *self, keyword_id keyword)
 {
     parse_transform(in, &((light_reading *)self)->out->map, keyword);
@@ -44,11 +45,12 @@ static void check_order(pov_reader *in, keyword_id keyword, bool is_directed, co
 
 static void read_point_at(pov_reader *in, void *self, keyword_id keyword)
 {
-    const light_reading *r = self;
+    light_reading *r = self;
 
     check_order(in, keyword, r->is_parallel || light_of(self)->type != LIGHT_POINT,
                 "\"spotlight\", \"cylinder\" or \"parallel\"");
-    ((light_reading *)self)->out->point_at = value_vector(in);
+    r->out->point_at = value_vector(in);
+    r->out->aimed = r->out->map;
 }
 
 static void read_beam(pov_reader *in, void *self, keyword_id keyword)
@@ -90,6 +92,7 @@ static void read_area(pov_reader *in, void *self, keyword_id keyword)
 
     (void)keyword;
     l->flags |= LIGHT_AREA;
+    ((light_reading *)self)->out->spread = ((light_reading *)self)->out->map;
     for (int i = 0; i < 2; i++) {
         l->area.axes[i] = value_vector(in);
         state_accept(in, ',');
@@ -173,20 +176,35 @@ static bool read_object(pov_reader *in, light_reading *r, object_parsed *out)
     return found;
 }
 
+/* To where the light is by now. */
+static const transform *find_shift(pov_reader *in, const object_parsed *o)
+{
+    const transform *shift = NULL;
+    pov_vec3 at = o->light.position, low;
+    pov_affine map;
+
+    if (o->map && transform_compose(o->map, &map))
+        transform_point(&map, at, &at, &low);
+    parse_append_translation(in, &shift, at);
+    return shift;
+}
+
 /* An object that is seen where the light is, and hides none of it. */
 static void read_looks_like(pov_reader *in, void *self, keyword_id keyword)
 {
     light_reading *r = self;
+    const transform *const shift = find_shift(in, r->out);
     object_parsed shown;
     const media **filling = &shown.surface.material.interior.media;
 
     (void)keyword;
     if (!read_object(in, r, &shown))
         return;
-    parse_append_translation(in, &shown.map, r->out->light.position);
-    shown.surface.moves++;
-    *filling = in->failed ? NULL : parse_media_move(in, *filling, parse_last_transforms(in, shown.map, 1));
+    parse_append_transforms(in, &shown.map, shift, NULL);
+    shown.surface.moves += parse_count_transforms(shift);
+    *filling = in->failed ? NULL : parse_media_move(in, *filling, shift);
     shown.flags |= LEAF_NO_SHADOW;
+    shown.since = r->out->map;
     r->out->first = parse_keep(in, &shown);
 }
 
@@ -200,6 +218,7 @@ static void read_projected_through(pov_reader *in, void *self, keyword_id keywor
     if (!read_object(in, r, &hole))
         return;
     hole.flags |= LEAF_NO_SHADOW | LEAF_NO_IMAGE | LEAF_NO_REFLECTION;
+    hole.since = r->out->map;
     r->out->through = parse_keep(in, &hole);
 }
 

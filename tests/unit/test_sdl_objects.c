@@ -412,6 +412,64 @@ static void what_a_light_looks_like_is_an_object_without_a_shadow(void **state)
     reading_end(&r);
 }
 
+static void expect_near(pov_vec3 a, pov_vec3 b)
+{
+    const pov_vec3 between = pov_sub(a, b);
+
+    assert_true(pov_dot(between, between) < 1e-30);
+}
+
+static void expect_light(const light *l, pov_vec3 axis, double first_axis)
+{
+    expect_near(l->axis, axis);
+    expect_near(l->area.axes[0], pov_vec3_of(first_axis, 0.0, 0.0));
+}
+
+/* As POV-Ray does: what stands behind a transformation is not moved by it. */
+static void a_light_is_moved_as_far_as_it_is_said(void **state)
+{
+    reading r;
+
+    (void)state;
+    read_text(&r, "#declare Cone = light_source { 0 rgb 1 spotlight translate 4*y point_at <3,0,0> area_light x, z, 2, 2 }\n"
+                  "light_source { Cone }\n"
+                  "light_source { Cone translate 9*z }\n"
+                  "union { light_source { Cone } scale 2 }\n"
+                  "light_source { 0 rgb 1 spotlight point_at <3,0,0> area_light x, z, 2, 2 translate 4*y scale 3 }\n"
+                  "light_source { 0 rgb 1 parallel translate y }\n");
+    expect_light(&r.model.lights.items[0], pov_vec3_of(0.6, -0.8, 0.0), 1.0);
+    expect_light(&r.model.lights.items[1], pov_vec3_of(0.6, -0.8, 0.0), 1.0);
+    expect_light(&r.model.lights.items[2], pov_vec3_of(0.6, -0.8, 0.0), 2.0);
+    expect_light(&r.model.lights.items[3], pov_vec3_of(1.0, 0.0, 0.0), 3.0);
+    expect_light(&r.model.lights.items[4], pov_vec3_of(0.0, 0.0, 1.0), 0.0);
+    reading_end(&r);
+}
+
+/* Its centre, and how long its third axis is. */
+static void expect_first_leaf(const char *text, pov_vec3 at, double stretch)
+{
+    pov_vec3 centre, low;
+    reading r;
+    pov_affine map;
+
+    read_text(&r, text);
+    assert_true(transform_compose(r.model.leaves.items[0].map, &map));
+    transform_point(&map, pov_vec3_of(0.0, 0.0, 0.0), &centre, &low);
+    expect_near(centre, at);
+    expect_near(transform_direction(&map, pov_vec3_of(0.0, 0.0, 1.0)), pov_vec3_of(0.0, 0.0, stretch));
+    reading_end(&r);
+}
+
+/* An object of a light stands where the light is when it is named, and moves with it from there on. */
+static void objects_of_a_light_are_moved_as_far_as_they_are_said(void **state)
+{
+    (void)state;
+    expect_first_leaf("light_source { y rgb 1 scale 2 looks_like { sphere { 0, 1 } } }", pov_vec3_of(0.0, 2.0, 0.0), 1.0);
+    expect_first_leaf("light_source { y rgb 1 looks_like { sphere { 0, 1 } } scale 2 }", pov_vec3_of(0.0, 2.0, 0.0), 2.0);
+    expect_first_leaf("light_source { y rgb 1 translate x projected_through { sphere { 0, 1 } } scale 2 }",
+                      pov_vec3_of(0.0, 0.0, 0.0), 2.0);
+}
+
 static void a_moved_light_keeps_both_parts_of_its_place(void **state)
 {
     reading r;
@@ -449,6 +507,8 @@ int main(void)
         cmocka_unit_test(lights_of_other_kinds_have_an_axis),
         cmocka_unit_test(a_group_within_a_group_has_its_own_lights),
         cmocka_unit_test(what_a_light_looks_like_is_an_object_without_a_shadow),
+        cmocka_unit_test(a_light_is_moved_as_far_as_it_is_said),
+        cmocka_unit_test(objects_of_a_light_are_moved_as_far_as_they_are_said),
         cmocka_unit_test(a_moved_light_keeps_both_parts_of_its_place),
     };
 
