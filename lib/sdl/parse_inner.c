@@ -58,14 +58,23 @@ static const solid_part *make_solid(pov_reader *in, const object_parsed *o)
     return out;
 }
 
+static void move_object(pov_reader *in, void *self, keyword_id keyword) { parse_transform(in, self, keyword); }
+
+static const item moves[] = { PARSE_MOVES(move_object) };
+static const item_list move_list = { "a transformation", ITEMS(moves), NULL, NULL, NULL, VALUE_NOTHING, NULL };
+
+/* What moves the object may stand behind it too. */
 static void read_object(pov_reader *in, object_pattern *self)
 {
     object_parsed o;
 
-    if (parse_object_try(in, &o))
+    if (parse_object_try(in, &o)) {
+        while (!in->failed && items_try(in, &move_list, &o.map))
+            ;
         self->solid = make_solid(in, &o);
-    else if (!in->failed)
+    } else if (!in->failed) {
         report_expected(in, "an object");
+    }
     state_accept(in, ',');
 }
 

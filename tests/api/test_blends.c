@@ -35,6 +35,14 @@ static void members_that_a_list_does_not_give_are_the_defaults(void **state)
     assert_red("sphere { 0, 1 pigment { object { sphere { 0, 2 } pigment { rgb 1 } } }" LIT "}", 0.0, 0.0);
 }
 
+/* Transformations that stand behind the object in its pattern move it, and not the pattern's other points. */
+static void objects_of_patterns_are_moved_in_their_block(void **state)
+{
+    (void)state;
+    assert_red("sphere { 0, 1 pigment { object { sphere { 0, 2 } translate 9*x color rgb x, color rgb y } }" LIT "}", 1.0, 0.0);
+    assert_red("#declare Far = sphere { 9*x, 2 } sphere { 0, 1 pigment { object { Far scale 2 translate -18*x rgb x, rgb y } }" LIT "}", 0.0, 1.0);
+}
+
 /* A texture on a sphere that is turned looks as the whole sphere turned. */
 static void bumps_turn_with_the_blend_that_they_are_in(void **state)
 {
@@ -99,6 +107,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(members_that_a_list_does_not_give_are_the_defaults),
+        cmocka_unit_test(objects_of_patterns_are_moved_in_their_block),
         cmocka_unit_test(components_of_a_blob_share_by_their_parts_of_the_field),
         cmocka_unit_test(inner_pigments_know_where_the_surface_is_seen_from),
         cmocka_unit_test(bumps_turn_with_the_blend_that_they_are_in),
