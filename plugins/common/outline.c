@@ -24,6 +24,62 @@ bool common_outline_add(common_outline *o, const pov_host *host, pov_reader *in,
     return true;
 }
 
+static bool is_same(const common_piece *a, const common_piece *b)
+{
+    const uint32_t n = a->degree;
+    bool along = true, back = true;
+
+    for (uint32_t k = 0; k <= n; k++) {
+        along &= a->x[k] == b->x[k] && a->y[k] == b->y[k];
+        back &= a->x[k] == b->x[n - k] && a->y[k] == b->y[n - k];
+    }
+    return a->degree == b->degree && (along || back);
+}
+
+/* Alike from both ends, and of both zeros. */
+static uint64_t hash_of(const common_piece *c)
+{
+    const double ends[4] = { c->x[0] + 0.0, c->x[c->degree] + 0.0, c->y[0] + 0.0, c->y[c->degree] + 0.0 };
+    uint64_t bits[4];
+
+    memcpy(bits, ends, sizeof bits);
+    return ((bits[0] + bits[1]) * 0x9e3779b97f4a7c15u ^ (bits[2] + bits[3]) * 0xc2b2ae3d27d4eb4fu) * 0xff51afd7ed558ccdu >> 32;
+}
+
+/* Pieces without a degree are gone. */
+static void close_gaps(common_outline *o)
+{
+    uint32_t left = 0;
+
+    for (uint32_t i = 0; i < o->count; i++)
+        if (o->at[i].degree > 0)
+            o->at[left++] = o->at[i];
+    o->count = left;
+}
+
+void common_outline_cancel(common_outline *o, const pov_host *host, pov_reader *in)
+{
+    uint32_t size = 16, *table;     /* numbers of pieces, from 1 on */
+
+    while (size < 2 * o->count)
+        size *= 2;
+    table = host->alloc(in, size * sizeof *table);
+    if (!table)
+        return;
+    memset(table, 0, size * sizeof *table);
+    for (uint32_t i = 0; i < o->count; i++) {
+        uint32_t place = (uint32_t)hash_of(&o->at[i]) & (size - 1);
+
+        while (table[place] && !(o->at[table[place] - 1].degree > 0 && is_same(&o->at[table[place] - 1], &o->at[i])))
+            place = (place + 1) & (size - 1);
+        if (table[place])
+            o->at[table[place] - 1].degree = o->at[i].degree = 0;
+        else
+            table[place] = i + 1;
+    }
+    close_gaps(o);
+}
+
 void common_outline_bound(common_outline *o)
 {
     o->lo[0] = o->lo[1] = HUGE_VAL;

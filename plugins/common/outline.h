@@ -25,6 +25,8 @@ typedef struct common_cross { double s, u; uint32_t piece; } common_cross;
 
 /* Appends a piece; `memory` is the host's. False: no memory. */
 bool common_outline_add(common_outline *o, const pov_host *host, pov_reader *in, const common_piece *piece);
+/* Pieces that stand there twice, whichever way they go, are left out: by the even-odd rule neither bounds anything. */
+void common_outline_cancel(common_outline *o, const pov_host *host, pov_reader *in);
 /* The box of all pieces; then points become (p - middle) scale. */
 void common_outline_bound(common_outline *o);
 void common_outline_place(common_outline *o, const double middle[2], double scale);

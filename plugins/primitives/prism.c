@@ -147,6 +147,7 @@ static void parse(void *self, const pov_host *host, pov_reader *in)
         add_beziers(&r);
     else
         add_rings(&r, kind);
+    common_outline_cancel(&p->swept.outline, host, in);
     read_flags(p, host, in);
     if (p->swept.outline.count > 0) {
         place(p);
