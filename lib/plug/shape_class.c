@@ -39,6 +39,7 @@ static void fill_fast(shape_class *out, const pov_shape_fast *from)
     out->intersect_between = f.intersect_between;
     out->intersect_between_many = f.intersect_between_many;
     out->narrow = f.narrow;
+    out->reorder = f.reorder;
 }
 
 void shape_class_fill(shape_class *out, const pov_shape_class *from)

@@ -45,6 +45,7 @@ typedef struct shape_class {
     void (*intersect_between)(const void *self, const pov_ray *ray, pov_hits *hits);
     void (*intersect_between_many)(const void *const *selves, const pov_ray *const *rays, pov_hits *const *hits, uint32_t n);
     bool (*outline)(const void *self, pov_outline *out);
+    void (*reorder)(void *parsed);
     uint32_t (*narrow)(const void *self, const pov_own_map *map, uint32_t owner, const pov_rays *rays, pov_candidate *io, uint32_t n);
 } shape_class;
 

@@ -322,7 +322,7 @@ static pov_status compile_one(maker *k, uint32_t index)
     note(k, o, index, finite ? box : &everything);
     if (!finite)
         f->group[index] |= COMPILE_INFINITE;
-    if (member) {
+    if (member || (f->is_twin && f->is_twin[index])) {
         f->group[index] |= COMPILE_MEMBER;
         return status;
     }
@@ -493,8 +493,11 @@ pov_status compile_objects(compile_state *f, const model *m, world *const *parts
     f->threads = threads;
     if (!find_classes(&s, &any_map) || !allocate(&s, any_map))
         status = err_memory(err);
-    if (status == POV_OK) {
+    if (status == POV_OK)
         compile_mark_members(f);
+    if (status == POV_OK && !compile_find_twins(f))
+        status = err_memory(err);
+    if (status == POV_OK) {
         share_work(threads, s.slice_count, compile_slice, &s);
         status = add_up(&s, err);
     }
@@ -563,6 +566,7 @@ void compile_free(compile_state *f)
     env_free(f->env, f->infinite);
     env_free(f->env, f->members);
     env_free(f->env, f->is_member);
+    env_free(f->env, f->is_twin);
     csg_free(&f->trees, f->env);
     env_free(f->env, f->roots);
     env_free(f->env, f->tree_leaves);

@@ -57,6 +57,7 @@ typedef struct compile_state {
     uint32_t *finite, *infinite, *members;   /* object indices in the order of the scene, trees behind leaves */
     uint32_t finite_count, infinite_count, member_count;
     uint8_t *is_member;          /* by leaf; NULL: there is no tree */
+    uint8_t *is_twin;            /* by leaf: see compile_find_twins(); NULL: there are too many to look for them */
     csg_list trees;
     csg_root *roots;             /* by tree: its instance */
     leaf_node *tree_leaves;      /* by tree: as of objects */
@@ -97,6 +98,8 @@ static inline const leaf_node *compile_leaf(const compile_state *f, uint32_t ind
 }
 /* For this room: which leaves are members of trees. */
 void compile_mark_members(compile_state *f);
+/* For this room, after it: which leaves hide behind an earlier one in the same place. False: no memory. */
+bool compile_find_twins(compile_state *f);
 /* For this room, once all leaves are known: add the trees behind them, with that class mark. */
 bool compile_add_trees(compile_state *f, uint16_t mark);
 /* The same of copies, behind the trees. */

@@ -120,6 +120,24 @@ void common_cone_prepare(void *self, const void *parsed)
         normalise(s);
 }
 
+static bool comes_first(pov_vec3 a, pov_vec3 b)
+{
+    return a.x != b.x ? a.x < b.x : a.y != b.y ? a.y < b.y : a.z < b.z;
+}
+
+void common_cone_reorder(void *parsed)
+{
+    common_cone_parsed *t = parsed;
+    const common_cone_parsed as_written = *t;
+
+    if (t->top_radius > t->base_radius || (t->top_radius == t->base_radius && comes_first(t->base, t->top)))
+        return;
+    t->base = as_written.top;
+    t->top = as_written.base;
+    t->base_radius = as_written.top_radius;
+    t->top_radius = as_written.base_radius;
+}
+
 /* For a shape that has absorbed no map: a row as before normalise(), of length one, so that its largest entry is above
  * one half and at most one. The columns of the inverse are the rows then. */
 static pov_two3 unit_row(pov_two3 row)

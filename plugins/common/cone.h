@@ -31,6 +31,8 @@ typedef struct common_cone_parsed {
 } common_cone_parsed;
 
 void common_cone_prepare(void *self, const void *parsed);
+/* The narrower end is the base, and of equal ends the one that comes first. */
+void common_cone_reorder(void *parsed);
 
 bool common_cone_bounds(const void *self, pov_box *out);
 void common_cone_intersect(const void *self, const pov_ray *ray, pov_hits *hits);

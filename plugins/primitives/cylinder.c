@@ -25,6 +25,7 @@ static const pov_shape_fast cylinder_fast = {
     .intersect_many = common_cone_intersect_many,
     .normal_many = common_cone_normal_many,
     .outline = common_cone_outline,
+    .reorder = common_cone_reorder,
 };
 
 static const void *extension(const char *name) { return common_is_fast(name) ? &cylinder_fast : NULL; }

@@ -131,12 +131,53 @@ static void a_polygon_may_be_off_its_plane_by_rounding(void **state)
     fake_reader_destroy(in);
 }
 
+/* The text of a shape in the order of its class. */
+static const void *reordered(pov_reader *in, const char *keyword, const char *text, size_t *size)
+{
+    shape_class as_written = *fake_reader_shape(keyword);
+    void *self;
+
+    as_written.prepare = NULL;
+    *size = as_written.instance_size = as_written.parsed_size;
+    fake_reader_clear(in);
+    fake_reader_text(in, text);
+    self = fake_reader_parse(in, &as_written);
+    assert_non_null(self);
+    as_written.reorder(self);
+    return self;
+}
+
+static void ends_may_be_written_either_way(void **state)
+{
+    static const struct { const char *keyword, *one, *other; bool same; } table[] = {
+        { "cylinder", "<1, 2, 3>, <4, 5, 6>, 1", "<4, 5, 6>, <1, 2, 3>, 1", true },
+        { "cylinder", "<1, 2, 3>, <1, 2, -3>, 1 open", "<1, 2, -3>, <1, 2, 3>, 1 open", true },
+        { "cylinder", "<1, 2, 3>, <4, 5, 6>, 1", "<4, 5, 6>, <1, 2, 3>, 1 open", false },
+        { "cylinder", "<1, 2, 3>, <4, 5, 6>, 1", "<4, 5, 3>, <1, 2, 6>, 1", false },
+        { "cone", "<1, 2, 3>, 1, <4, 5, 6>, 2", "<4, 5, 6>, 2, <1, 2, 3>, 1", true },
+        { "cone", "<1, 2, 3>, 0, <1, 5, 3>, 2", "<1, 5, 3>, 2, <1, 2, 3>, 0", true },
+        { "cone", "<1, 2, 3>, 1, <4, 5, 6>, 2", "<4, 5, 6>, 1, <1, 2, 3>, 2", false },
+    };
+    pov_reader *in = fake_reader_create();
+
+    (void)state;
+    for (size_t i = 0; i < sizeof table / sizeof *table; i++) {
+        size_t size;
+        const void *one = reordered(in, table[i].keyword, table[i].one, &size);
+        const void *other = reordered(in, table[i].keyword, table[i].other, &size);
+
+        assert_int_equal(memcmp(one, other, size) == 0, table[i].same);
+    }
+    fake_reader_destroy(in);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(what_the_language_allows_is_read),
         cmocka_unit_test(what_makes_no_shape_is_refused),
         cmocka_unit_test(a_polygon_may_be_off_its_plane_by_rounding),
+        cmocka_unit_test(ends_may_be_written_either_way),
     };
 
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -112,6 +112,9 @@ typedef struct pov_shape_fast {
     /* [render] A closer look at candidates of an instanced shape, by its box: leaves out those that certainly pass it, narrows the
      * bounds of others, and returns how many are left. A ray whose origin_surface is `owner` starts on it. */
     uint32_t (*narrow)(const void *self, const pov_own_map *map, uint32_t owner, const pov_rays *rays, pov_candidate *io, uint32_t n);
+    /* [load] Of what parse() wrote, where several texts are one solid: makes it that of one of them, whichever it was. Hosts find so
+     * which shapes are the same; nothing else is made of it. */
+    void (*reorder)(void *parsed);
 } pov_shape_fast;
 
 #endif
