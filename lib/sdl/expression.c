@@ -187,6 +187,8 @@ int expression_component(keyword_id word)
 
 double expression_part(const double v[5], int component)
 {
+    if (component == EXPRESSION_HEIGHT)
+        return 0.996093 * (v[0] + v[1] / 255.0);   /* as measured */
     return component == EXPRESSION_GRAY ? 0.297 * v[0] + 0.589 * v[1] + 0.114 * v[2] : v[component];
 }
 

@@ -24,7 +24,7 @@ value *expression_element(pov_reader *in, value *slot, shared **lender);
 /* A value that is a function or spline, and its arguments if they are next. */
 value expression_call(pov_reader *in, value callee);
 /* Which component the word behind a dot names: an index, or EXPRESSION_GRAY. -1: none. */
-enum { EXPRESSION_GRAY = 5 };
+enum { EXPRESSION_GRAY = 5, EXPRESSION_HEIGHT = 6 };   /* as the pixel of a height_field's image; behind functions of pigments */
 int expression_component(keyword_id word);
 /* That component. Gray is POV-Ray's: 0.297 red + 0.589 green + 0.114 blue. */
 double expression_part(const double v[5], int component);

@@ -191,6 +191,14 @@ static uint32_t emit_host(compiler *c, uint32_t mark, uint32_t first, program_ho
     return to;
 }
 
+/* Only here "hf" is a component. */
+static int next_component(const pov_reader *in)
+{
+    const bool is_height = in->token.kind == TOKEN_WORD && strcmp(in->token.symbol->name, "hf") == 0;
+
+    return is_height ? EXPRESSION_HEIGHT : expression_component(state_keyword(in));
+}
+
 static int component_of(compiler *c, const function *f)
 {
     int i = 0;
@@ -198,9 +206,9 @@ static int component_of(compiler *c, const function *f)
     if (f->kind == FUNCTION_PATTERN)
         return 0;
     state_expect(c->in, '.');
-    i = expression_component(state_keyword(c->in));
+    i = next_component(c->in);
     if (i < 0)
-        report_expected(c->in, "a component such as \"red\"");
+        report_expected(c->in, "a component such as \"red\" or \"hf\"");
     state_advance(c->in);
     return i;
 }

@@ -349,6 +349,8 @@ static void splines_and_functions_are_called(void **state)
                   " sphere { 0, F(1, 0, 0).x }", 3);
     assert_radius("#declare T = transform { scale 2 translate 6*x inverse } #declare F = function { transform { T } }"
                   " sphere { 0, F(8, 0, 0).x }", 1);
+    assert_radius("#declare P = function { pigment { rgb <.25, .5, .75> } } #declare F = function { P(x, y, z).hf } sphere { 0, F(0, 0, 0) }",
+                  0.996093 * (0.25 + 0.5 / 255.0));
     assert_radius("#declare P = pigment { rgb <.5, .25, 0> } #declare F = function { pigment { P } }"
                   " sphere { 0, F(1, 2, 3).green }", .25);
 }
