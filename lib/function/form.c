@@ -171,6 +171,7 @@ SIMD_INLINE curve curve_ln(double at, double reach, double k, int is_positive)
     return c;
 }
 
+/* Where the root itself stays below 2^-400, as of the sum of squares that are all 0 there, no double shows its slope. */
 SIMD_INLINE curve curve_sqrt(double at, double reach, double k, int is_positive)
 {
     const double lo = at - reach, root = sqrt(at), low = sqrt(greater(lo, 0.0));
@@ -179,7 +180,7 @@ SIMD_INLINE curve curve_sqrt(double at, double reach, double k, int is_positive)
     (void)k;
     c.value = root;
     c.first = 0.5 / root;
-    c.steepest = lo > 0.0 ? 0.5 * WIDER / low : HUGE_VAL;
+    c.steepest = at + reach < 0x1p-800 ? 0.0 : lo > 0.0 ? 0.5 * WIDER / low : HUGE_VAL;
     c.second = lo > 0.0 ? 0.25 * WIDER / (lo * low) : HUGE_VAL;
     c.lo = lo >= 0.0 || is_positive ? low : -HUGE_VAL;
     c.hi = sqrt(at + reach);

@@ -60,7 +60,7 @@ SIMD_INLINE void apply(const pov_slope *a, double k, tangent (*of)(double at, do
         const tangent t = of(a->value[l], k);
 
         to->value[l] = t.value;
-        to->slope[l] = t.slope * a->slope[l];
+        to->slope[l] = a->slope[l] == 0.0 ? 0.0 : t.slope * a->slope[l];   /* however steep a root is at 0 */
     }
 }
 

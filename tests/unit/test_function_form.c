@@ -235,6 +235,26 @@ static void a_rest_is_exact(void **user)
     env_free(&memory, (void *)(uintptr_t)t.steps);
 }
 
+/* Within a box without rounding f_rounded_box is the root of 0 + 0 + 0, a constant. */
+static void the_root_of_zero_has_no_slope(void **user)
+{
+    enum { ROUNDED_BOX = 60 };
+    const double at[3] = { 0.1, 0.2, -0.3 }, dir[3] = { 0.2, 0.1, 0.3 };
+    formula f;
+    pov_form form;
+    tape t;
+
+    (void)user;
+    make_internal(&f, ROUNDED_BOX);
+    f.constants[0] = 0.0;
+    f.constants[1] = f.constants[2] = f.constants[3] = 1.0;
+    assert_int_equal(tape_record(&memory, &f.p, &t), TAPE_RECORDED);
+    form = form_of(&t, at, dir);
+    assert_true(fabs(form.middle[0] + 1e-6) < 1e-15 && form.slope[0] == 0.0 && form.off[0] < 1e-15 && form.slope_off[0] < 1e-15);
+    assert_true(slope_of(&t, at, dir).slope[0] == 0.0);
+    env_free(&memory, (void *)(uintptr_t)t.steps);
+}
+
 static void a_host_and_an_open_repetition_have_no_tape(void **user)
 {
     const instruction host[] = { { PROGRAM_HOST, 0, 0, 0, 0 } };
@@ -255,6 +275,7 @@ int main(void)
         cmocka_unit_test(a_square_is_as_narrow_as_it_can_be),
         cmocka_unit_test(what_is_equal_or_constant_is_recorded_once),
         cmocka_unit_test(a_rest_is_exact),
+        cmocka_unit_test(the_root_of_zero_has_no_slope),
         cmocka_unit_test(a_host_and_an_open_repetition_have_no_tape),
     };
 
