@@ -68,13 +68,24 @@ void light_aim_parallel(const light *l, const light_origin *from, const light_po
 
 /* ---- colours ---- */
 
-/* Of a light without fading the loop is not computed for it. */
+/* How far light goes, to the power. Whole powers that many lights have are products, which are as near or nearer. */
+enum { FADES_NOT, FADES_LINEARLY, FADES_BY_SQUARE, FADES_BY_POWER };
+
+static inline double course_of(const light *l, double distance, int fades)
+{
+    const double x = fabs(distance) / l->fade_distance;
+
+    if (fades == FADES_BY_POWER)
+        return elementary_pow(x, l->fade_power);
+    return fades == FADES_BY_SQUARE ? x * x : x;
+}
+
+/* Compiled for each kind. */
 static inline void dim(const light *restrict l, const double *restrict factor, const double *restrict distance, uint32_t n, light_lanes *restrict out,
-                       bool fades)
+                       int fades)
 {
     for (uint32_t i = 0; i < n; i++) {
-        const double course = fades ? elementary_pow(fabs(distance[i]) / l->fade_distance, l->fade_power) : 0.0;
-        const float by = (float)(fades ? factor[i] * 2.0 / (1.0 + course) : factor[i]);
+        const float by = (float)(fades ? factor[i] * 2.0 / (1.0 + course_of(l, distance[i], fades)) : factor[i]);
 
         out->red[i] = l->color.r * by;
         out->green[i] = l->color.g * by;
@@ -85,21 +96,45 @@ static inline void dim(const light *restrict l, const double *restrict factor, c
 SIMD_CLONES static void dim_plain(const light *restrict l, const double *restrict factor, const double *restrict distance,
                                   uint32_t n, light_lanes *restrict out)
 {
-    dim(l, factor, distance, n, out, false);
+    dim(l, factor, distance, n, out, FADES_NOT);
 }
 
-SIMD_CLONES static void dim_fading(const light *restrict l, const double *restrict factor, const double *restrict distance,
-                                   uint32_t n, light_lanes *restrict out)
+SIMD_CLONES static void dim_linearly(const light *restrict l, const double *restrict factor, const double *restrict distance,
+                                     uint32_t n, light_lanes *restrict out)
 {
-    dim(l, factor, distance, n, out, true);
+    dim(l, factor, distance, n, out, FADES_LINEARLY);
+}
+
+SIMD_CLONES static void dim_by_square(const light *restrict l, const double *restrict factor, const double *restrict distance,
+                                      uint32_t n, light_lanes *restrict out)
+{
+    dim(l, factor, distance, n, out, FADES_BY_SQUARE);
+}
+
+SIMD_CLONES static void dim_by_power(const light *restrict l, const double *restrict factor, const double *restrict distance,
+                                     uint32_t n, light_lanes *restrict out)
+{
+    dim(l, factor, distance, n, out, FADES_BY_POWER);
 }
 
 void light_dim(const light *l, const double *factor, const double *distance, uint32_t n, light_lanes *out)
 {
     out->uniform = false;
     out->color = l->color;
-    if (light_fades(l))
-        dim_fading(l, factor, distance, lanes_whole(n), out);
-    else
+    if (!light_fades(l))
         dim_plain(l, factor, distance, lanes_whole(n), out);
+    else if (l->fade_power == 1.0)
+        dim_linearly(l, factor, distance, lanes_whole(n), out);
+    else if (l->fade_power == 2.0)
+        dim_by_square(l, factor, distance, lanes_whole(n), out);
+    else
+        dim_by_power(l, factor, distance, lanes_whole(n), out);
 }
+
+SIMD_CLONES static void find_lengths(const vec_lanes *restrict dir, uint32_t n, double *restrict length)
+{
+    for (uint32_t i = 0; i < n; i++)
+        length[i] = light_length(lanes_at(dir, i));
+}
+
+void light_lengths(const vec_lanes *dir, uint32_t n, double *length) { find_lengths(dir, lanes_whole(n), length); }

@@ -16,6 +16,8 @@ void light_aim(const light_origin *from, const light_points *at, vec_lanes *dir)
 /* Directions against the axis, as long as the point's distance from the plane across it through the origin; hardly any
  * length behind that plane. The distances, negative behind it, are given, too. */
 void light_aim_parallel(const light *l, const light_origin *from, const light_points *at, vec_lanes *dir, double *distance);
+/* Lengths of directions, by lane. */
+void light_lengths(const vec_lanes *dir, uint32_t n, double *length);
 /* Colours of the light, dimmed by these factors, and where it fades by these distances. */
 void light_dim(const light *l, const double *factor, const double *distance, uint32_t n, light_lanes *out);
 

@@ -17,10 +17,9 @@ static void incident_fading(const light *l, const light_origin *from, const ligh
 
     light_aim(from, at, &out->dir);
     out->tmax = 1.0;
-    for (uint32_t i = 0; i < lanes_whole(at->n); i++) {
+    for (uint32_t i = 0; i < lanes_whole(at->n); i++)
         factor[i] = 1.0;
-        distance[i] = light_length(lanes_at(&out->dir, i));
-    }
+    light_lengths(&out->dir, at->n, distance);
     light_dim(l, factor, distance, at->n, out);
 }
 

@@ -3,13 +3,31 @@
 
 #include "base/simd.h"
 
-/* By the cosine c between the axis and the direction away from the light: c^tightness within the radius, from there down
- * to nothing at the falloff. */
-static double cone(const light *l, double c)
+/* By the cosine c between the axis and the direction away from the light: 1 within the radius, from there down to nothing
+ * at the falloff. */
+SIMD_CLONES static void find_shares(double falloff, double radius, uint32_t n, const double *restrict c, double *restrict share)
 {
-    if (!(c > 0.0))
-        return 0.0;
-    return light_tighten(c, l->tightness) * (c >= l->radius ? 1.0 : light_edge(l->falloff, l->radius, c));
+    for (uint32_t i = 0; i < n; i++) {
+        const double edge = light_edge(falloff, radius, c[i]), within = c[i] >= radius ? 1.0 : edge;
+
+        share[i] = c[i] > 0.0 ? within : 0.0;
+    }
+}
+
+/* ... times c^tightness. In loops of their own: compilers that know the bounds of the base do not vectorise it. */
+SIMD_CLONES static void raise(double tightness, uint32_t n, double *restrict value)
+{
+    for (uint32_t i = 0; i < n; i++)
+        value[i] = elementary_pow(value[i], tightness);
+}
+
+static void tighten(double tightness, uint32_t n, double *c, double *share)
+{
+    for (uint32_t i = 0; i < n; i++)
+        c[i] = c[i] > 0.0 ? c[i] : 1.0;
+    raise(tightness, n, c);
+    for (uint32_t i = 0; i < n; i++)
+        share[i] *= c[i];
 }
 
 /* Cosines between directions and the axis, bit for bit as with pov_unit(). False: some is out of range. */
@@ -36,10 +54,11 @@ static void incident(const light *l, const light_origin *from, const light_point
     if (!find_cosines(&out->dir, l->axis, n, cosine))
         for (uint32_t i = 0; i < n; i++)
             cosine[i] = -pov_dot(pov_unit(lanes_at(&out->dir, i)), l->axis);
-    for (uint32_t i = 0; i < n; i++)
-        factor[i] = cone(l, cosine[i]);
-    for (uint32_t i = 0; light_fades(l) && i < n; i++)
-        distance[i] = light_length(lanes_at(&out->dir, i));
+    find_shares(l->falloff, l->radius, n, cosine, factor);
+    if (l->tightness != 0.0)
+        tighten(l->tightness, n, cosine, factor);
+    if (light_fades(l))
+        light_lengths(&out->dir, n, distance);
     light_dim(l, factor, distance, at->n, out);
 }
 
