@@ -56,15 +56,36 @@ static uint64_t ask_class(const world *w, query_context *k, const pov_ray *const
     return others;
 }
 
-/* Nothing else can be hit inside an isolated solid. */
+/* Are both ends of a segment in an interval? Where it ends is off by less than the slack. */
+static inline bool is_in(double from, double dir, double lo, double hi)
+{
+    const double slack = 0x1p-45 * (fabs(from) + fabs(dir)), end = from + dir;
+
+    return from - slack >= lo && from + slack <= hi && end - slack >= lo && end + slack <= hi;
+}
+
+/* Is there nothing else on the way out of a solid? */
+static inline bool is_isolated(const world_isolation *a, const pov_ray *ray, double t)
+{
+    const uint32_t number = a->number[ray->origin_surface];
+    const pov_vec3 dir = pov_scale(ray->dir, t);
+    const pov_box *b;
+
+    if (number == 0)
+        return false;
+    b = &a->boxes[number - 1];
+    return is_in(ray->org.x, dir.x, b->lo.x, b->hi.x) && is_in(ray->org.y, dir.y, b->lo.y, b->hi.y) &&
+           is_in(ray->org.z, dir.z, b->lo.z, b->hi.z);
+}
+
 static void end_isolated(const world *w, query_context *k, const pov_ray *const *rays, hit *out, exit_hits *e)
 {
     uint64_t rest;
 
-    for (rest = e->known; w->isolated && rest; rest &= rest - 1) {
+    for (rest = e->known; w->isolation.number && rest; rest &= rest - 1) {
         const uint32_t i = first_of64(rest);
 
-        if (e->hits[i].count == 0 || !w->isolated[rays[i]->origin_surface])
+        if (e->hits[i].count == 0 || !is_isolated(&w->isolation, rays[i], out[i].crossing.t))
             continue;
         k->escalated += e->hits[i].escalated;
         out[i].object = rays[i]->origin_surface;

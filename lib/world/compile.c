@@ -527,6 +527,21 @@ void compile_box(const compile_state *f, uint32_t index, pov_box *out)
     }
 }
 
+bool compile_half_space(const compile_state *f, uint32_t index, pov_half_space *out)
+{
+    const leaf_node *o = compile_leaf(f, index);
+    scratch_buffer here;
+
+    if (!o->shape->half_space || f->groups[f->group[index]].instanced || o->shape->instance_size > SCRATCH)
+        return false;
+    if (f->moved && f->moved[index])
+        return o->shape->half_space(f->moved[index], out);
+    if (!o->shape->prepare)
+        return o->shape->half_space(o->instance, out);
+    compile_make(o, aligned(&here));
+    return o->shape->half_space(aligned(&here), out);
+}
+
 void compile_drop_boxes(compile_state *f)
 {
     env_free(f->env, f->boxes);

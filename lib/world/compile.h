@@ -115,8 +115,10 @@ void compile_box(const compile_state *f, uint32_t index, pov_box *out);
  * transformations. Made anew, so that they are kept in one place only. Any thread. */
 void compile_instances(const compile_state *f, const uint32_t *ids, const pov_affine *maps, int n, instance_xform *out);
 void compile_find_lamps(const compile_state *f, world_lamps *out);
-/* By object, 1: it is transparent and isolated. NULL: none is, or there are too many to test. False: no memory. */
-bool compile_find_isolated(const compile_state *f, uint8_t **isolated);
+/* The half-space that an infinite object is. False: it is none. */
+bool compile_half_space(const compile_state *f, uint32_t index, pov_half_space *out);
+/* False: no memory. */
+bool compile_find_isolated(const compile_state *f, world_isolation *out);
 /* Free the boxes. */
 void compile_drop_boxes(compile_state *f);
 /* Free the model's transformations, if this is its last world. */

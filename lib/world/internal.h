@@ -50,7 +50,7 @@ struct world {
     size_t scratch_bytes;        /* bytes of a thread's working memory for shapes */
     bool located;                /* light needs the distances of crossings: a transparent object is not plain */
     pov_box bounds, transparent; /* transparent: box around transparent objects */
-    uint8_t *isolated;           /* by object, 1: it is transparent, and nothing else is in its box; NULL: unknown */
+    world_isolation isolation;
     bool has_bounds;
     double extent;               /* the largest coordinate of `bounds`; 0 without */
     uint32_t infinite_count, finite_count;

@@ -326,7 +326,7 @@ static pov_status compile(world *w, compile_state *f, const world_options *optio
     if (w->plan.radiosity)
         compile_find_lamps(f, &w->lamps);
     if (!find_solids(w) || !find_starts(w, f) ||
-        (w->plan.transmission && !compile_find_isolated(f, &w->isolated)) || !lay_out(w, f, tree))
+        (w->plan.transmission && !compile_find_isolated(f, &w->isolation)) || !lay_out(w, f, tree))
         return err_memory(err);
     return POV_OK;
 }
@@ -451,7 +451,8 @@ void world_destroy(world *w)
     env_free(w->env, w->objects_info);
     env_free(w->env, w->dielectrics.items);
     env_free(w->env, w->filled.items);
-    env_free(w->env, w->isolated);
+    env_free(w->env, w->isolation.number);
+    env_free(w->env, w->isolation.boxes);
     csg_free(&w->trees, w->env);
     env_free(w->env, w->roots);
     env_free(w->env, w->solids);

@@ -60,6 +60,9 @@ enum { WORLD_LAMPS_MAX = 16 };
 typedef struct world_lamp { pov_box box; double power; } world_lamp;
 typedef struct world_lamps { uint32_t count; world_lamp items[WORLD_LAMPS_MAX]; } world_lamps;
 const world_lamps *world_get_lamps(const world *w);
+/* By object: 0, or the number of its box, counted from 1. It is a transparent solid then, and between two points of it within
+ * the box there is nothing else. NULL: unknown. */
+typedef struct world_isolation { uint32_t *number; pov_box *boxes; } world_isolation;
 /* Was it made with double-double arithmetic for every intersection? */
 bool world_is_exact(const world *w);
 
