@@ -202,40 +202,40 @@ static bool sees_media(const shade_context *c, const path *p)
     return c->scene->plan->media && (p->gathers == 0 || c->scene->model->radiosity.sees_media);
 }
 
+/* Rainbows over media. */
+SIMD_APART static veil veil_below(shade_context *c, const air_segments *on, uint32_t i, bool bows, bool hazy)
+{
+    const segment s = { lanes_at(&on->on.from, i), lanes_at(&on->on.dir, i), on->on.length[i] };
+    const veil v = hazy ? media_veil(c, on->path[i], &s) : clear;
+
+    return bows ? veil_before(all_rainbows(c->scene, &s), v) : v;
+}
+
 /* Fog lies over rainbows, and both over media. There are neither in solids, nor for radiosity, nor before what is not seen. */
-static veil veil_of(shade_context *c, const air_segments *on, uint32_t i, bool seen)
+static inline veil veil_of(shade_context *c, const air_segments *on, uint32_t i, bool seen)
 {
     const path *p = on->path[i];
     const fog_veils *f = &on->fogs;
     const bool open = seen && p->solids == 0 && p->gathers == 0, bows = open && c->scene->model->rainbows.count > 0;
     const bool hazy = sees_media(c, p);
-    veil v = clear;
+    const veil below = bows || hazy ? veil_below(c, on, i, bows, hazy) : clear;
+    const veil fogs = { colour_at(f->by[0], f->by[1], f->by[2], i), colour_at(f->given[0], f->given[1], f->given[2], i) };
 
-    if (bows || hazy) {
-        const segment s = { lanes_at(&on->on.from, i), lanes_at(&on->on.dir, i), on->on.length[i] };
-
-        if (hazy)
-            v = media_veil(c, p, &s);
-        if (bows)
-            v = veil_before(all_rainbows(c->scene, &s), v);
-    }
-    if (open) {
-        const veil fogs = { colour_at(f->by[0], f->by[1], f->by[2], i), colour_at(f->given[0], f->given[1], f->given[2], i) };
-
-        v = veil_before(fogs, v);
-    }
-    return v;
+    return open ? veil_before(fogs, below) : below;
 }
 
-void air_cross(shade_context *c, const air_segments *s, uint32_t i, bool seen, path *dimmed, colour *out)
+void air_cross(shade_context *c, const air_segments *s, uint64_t seen, path *dimmed, colour *out)
 {
-    const path *p = s->path[i];
-    const veil v = veil_of(c, s, i, seen);
+    for (uint32_t i = 0; i < s->on.count; i++, dimmed++) {
+        const path *p = s->path[i];
+        const veil v = veil_of(c, s, i, seen >> i & 1);
 
-    *dimmed = *p;
-    dimmed->factor.by = colour_mul(p->factor.by, v.by);
-    dimmed->clear = p->clear * colour_grey(v.by);
-    accumulate(p, v.given, out);
+        simd_copy(&dimmed->level, &p->level, sizeof *p - offsetof(path, level));
+        dimmed->factor.by = colour_mul(p->factor.by, v.by);
+        dimmed->factor.weight = p->factor.weight;
+        dimmed->clear = p->clear * colour_grey(v.by);
+        accumulate(p, v.given, out);
+    }
 }
 
 /* ---- behind all ---- */

@@ -28,7 +28,7 @@ colour air_fog_dims(const shading *scene, pov_vec3 from, pov_vec3 dir, double le
 void air_add(air_segments *s, const path *p, const pov_ray *ray, double t);
 /* Complete segments, of which there is at least one. */
 void air_measure(const shade_context *c, air_segments *s);
-/* Add what the air itself gives on segment i; `dimmed` becomes the path behind it. What ends it is seen, or the segment goes on there. */
-void air_cross(shade_context *c, const air_segments *s, uint32_t i, bool seen, path *dimmed, colour *out);
+/* Add what the air itself gives on them; `dimmed` become the paths behind. Bit i of `seen`: what ends segment i is; or it goes on there. */
+void air_cross(shade_context *c, const air_segments *s, uint64_t seen, path *dimmed, colour *out);
 
 #endif

@@ -127,27 +127,28 @@ static void dim(shade_context *c, surfaces *s, surface *at, colour *out)
     on.on.count = 0;
     air_add(&on, at->from, at->ray, distance_of(at));
     air_measure(c, &on);
-    air_cross(c, &on, 0, !is_unseen(c->scene, at->from, at->at->object), behind, out);
+    air_cross(c, &on, !is_unseen(c->scene, at->from, at->at->object), behind, out);
     at->from = behind;
 }
 
-/* The same for all rays that hit something, of which none starts on coincident surfaces: dimmed paths, by ray of the batch. */
+/* The same for all rays that hit something, of which none starts on coincident surfaces: dimmed paths in their order. */
 SIMD_NOINLINE static void dim_all(shade_context *c, surfaces *s, const batch *b, uint64_t found, colour *out)
 {
+    uint64_t seen = ~(uint64_t)0;
     air_segments on;
-    uint32_t k = 0;
 
     if (!found)
         return;
     on.on.count = 0;
-    for (uint64_t rest = found; rest; rest &= rest - 1)
-        air_add(&on, &b->paths[first_of64(rest)], b->rays[first_of64(rest)], s->hits[first_of64(rest)].crossing.t);
-    air_measure(c, &on);
-    for (; found; found &= found - 1, k++) {
+    for (; found; found &= found - 1) {
         const uint32_t i = first_of64(found);
 
-        air_cross(c, &on, k, !c->scene->plan->hidden || !is_unseen(c->scene, &b->paths[i], s->hits[i].object), &s->dimmed[i], out);
+        if (c->scene->plan->hidden && is_unseen(c->scene, &b->paths[i], s->hits[i].object))
+            seen &= ~((uint64_t)1 << on.on.count);
+        air_add(&on, &b->paths[i], b->rays[i], s->hits[i].crossing.t);
     }
+    air_measure(c, &on);
+    air_cross(c, &on, seen, s->dimmed, out);
 }
 
 /* Intersect rays, some of which start on coincident surfaces. */
@@ -212,7 +213,7 @@ void surfaces_find(shade_context *c, surfaces *s, const batch *b, colour *out)
     const names by_name = names_of(c->scene);
     surface *at = s->at;
     uint64_t found, rest;
-    uint32_t n = 0;
+    uint32_t n = 0, k = 0;
 
     if (c->coincident_sets.count > 0 && any_coincident(b)) {
         s->count = find_each(c, s, b, out);
@@ -222,12 +223,12 @@ void surfaces_find(shade_context *c, surfaces *s, const batch *b, colour *out)
     add_background(c, b, ~found & ~(uint64_t)0 >> (BATCH_MAX - b->count), out);
     if (dims)
         dim_all(c, s, b, found, out);
-    for (rest = found; rest; rest &= rest - 1) {
+    for (rest = found; rest; rest &= rest - 1, k++) {
         const uint32_t i = first_of64(rest);
 
         place(s, at, b, i, n);
         if (dims)
-            at->from = &s->dimmed[i];
+            at->from = &s->dimmed[k];
         if (is_kept(c, b, at, special, names_appearance(&by_name, s->hits[i].object), out)) {
             at++;
             n++;

@@ -248,19 +248,31 @@ static void begin_inside(pov_tracer *t, bool one_start)
     c->failed = c->failed || !done;
 }
 
-/* The solids without fog and media around the starts; most rays start where the one before did. */
-static void begin_filled(pov_tracer *t)
+/* The solids without fog and media around a start. */
+static uint32_t filled_at(pov_tracer *t, const pov_ray *ray)
 {
-    const world *w = t->context.scene->world;
-    batch *b = &t->camera;
+    filled_start *at = &t->filled;
 
-    for (uint32_t i = 0; i < b->count; i++) {
-        const pov_ray *ray = b->rays[i], *last = i > 0 ? b->rays[i - 1] : NULL;
-        const bool is_same = last && ray->org.x == last->org.x && ray->org.y == last->org.y && ray->org.z == last->org.z &&
-                             ray->org_lo.x == last->org_lo.x && ray->org_lo.y == last->org_lo.y && ray->org_lo.z == last->org_lo.z;
-
-        b->paths[i].solids = is_same ? b->paths[i - 1].solids : world_filled_at(w, ray->org, ray->org_lo);
+    if (!at->known || !is_same(at->org, ray->org) || !is_same(at->org_lo, ray->org_lo)) {
+        at->known = true;
+        at->org = ray->org;
+        at->org_lo = ray->org_lo;
+        at->solids = world_filled_at(t->context.scene->world, ray->org, ray->org_lo);
     }
+    return at->solids;
+}
+
+/* Those around the camera's; `lanes_filled` are around all of them. */
+static void begin_filled(pov_tracer *t, bool one_start)
+{
+    batch *b = &t->camera;
+    const uint32_t first = filled_at(t, b->rays[0]);
+
+    if (one_start && t->lanes_filled == first)
+        return;
+    for (uint32_t i = 0; i < (one_start ? BATCH_MAX : b->count); i++)
+        b->paths[i].solids = one_start ? first : filled_at(t, b->rays[i]);
+    t->lanes_filled = one_start ? first : UINT32_MAX;
 }
 
 /* Bit i: ray i is valid, and its path begins. */
@@ -286,8 +298,10 @@ static uint64_t begin(pov_tracer *t, const pov_ray *rays, uint32_t n, unsigned k
     batch *b = &t->camera;
     uint64_t begun = ~(uint64_t)0;
 
-    if (t->camera_odd)
+    if (t->camera_odd) {
         make_camera_paths(b);
+        t->lanes_filled = 0;
+    }
     t->camera_odd = !(known & TRACER_SOUND || are_rays(rays, n));
     b->count = n;
     for (uint32_t i = 0; i < n; i++)
@@ -296,8 +310,8 @@ static uint64_t begin(pov_tracer *t, const pov_ray *rays, uint32_t n, unsigned k
         begun = begin_some(b, rays, n);
     if (c->scene->plan->dielectrics_at_start && b->count > 0)
         begin_inside(t, known & TRACER_ONE_START);
-    if (c->scene->dims)
-        begin_filled(t);
+    if (c->scene->dims && b->count > 0)
+        begin_filled(t, known & TRACER_ONE_START);
     c->counts.camera += b->count;
     return begun;
 }

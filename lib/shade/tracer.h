@@ -7,12 +7,17 @@
 #include "shade/lighting.h"
 #include "shade/photon_light.h"
 
+/* How many solids without fog and media are around the last start that was asked. */
+typedef struct filled_start { pov_vec3 org, org_lo; uint32_t solids; bool known; } filled_start;
+
 /* One thread's tracer: the public opaque type. */
 struct pov_tracer {
     shade_context context;
     dielectric_start start;      /* the dielectrics around the camera */
     batch camera;                /* paths of camera rays; their constant members were set once */
     bool camera_odd, camera_inside;   /* its paths are not those of all lanes in order; some are in dielectrics */
+    filled_start filled;
+    uint32_t lanes_filled;       /* ... and around the starts of all its paths; UINT32_MAX: they differ */
     sample_id own_samples[BATCH_MAX];   /* of rays that nobody numbered */
     bool counts_followers;       /* more rays may follow than may */
     uint64_t followers[BATCH_MAX];      /* rays that followed, by lane of the camera ray */
