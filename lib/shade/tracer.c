@@ -193,27 +193,36 @@ static void shade_stacks(pov_tracer *t, colour *out)
     scatter(&t->context, s, &t->queue);
 }
 
-/* Trace the paths of one batch to their hits, and spawn the paths that continue. */
-static void shade_batch(pov_tracer *t, const batch *b, colour *out)
+/* What the surfaces give that a batch has met, and the paths that continue from them. */
+static void shade_found(pov_tracer *t, const batch *b, colour *out)
 {
-    shade_context *c = &t->context;
-    int kind;
+    const int kind = surfaces_complete(&t->context, &t->surfaces, &t->painted);
 
-    surfaces_find(c, &t->surfaces, b, out);
-    batch_begin(&t->queue, out);
-    kind = surfaces_complete(c, &t->surfaces, &t->painted);
     if (b->reuse)
-        reuse_note(c, &t->surfaces, b->reuse);
+        reuse_note(&t->context, &t->surfaces, b->reuse);
     if (kind == PAINT_SINGLE)
         shade_surfaces(t, out);
     else if (kind == PAINT_STACKS)
         shade_stacks(t, out);
     else
         shade_layers(t, out);
+}
+
+/* Trace the paths of one batch to their hits, and spawn the paths that continue. */
+static void shade_batch(pov_tracer *t, const batch *b, colour *out)
+{
+    shade_context *c = &t->context;
+
+    surfaces_find(c, &t->surfaces, b, out);
+    batch_begin(&t->queue, out);
+    if (t->surfaces.count > 0)
+        shade_found(t, b, out);
     c->failed = c->failed || query_context_failed(c->context);
 }
 
 /* ---- camera rays ---- */
+
+static bool is_same(pov_vec3 a, pov_vec3 b) { return a.x == b.x && a.y == b.y && a.z == b.z; }
 
 /* Rays of invalid cameras have no direction, or are not numbers. */
 static bool is_start(pov_vec3 org) { return isfinite(org.x + org.y + org.z); }
