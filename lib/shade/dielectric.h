@@ -31,6 +31,15 @@ bool dielectric_pass(dielectric_stack *stack, const env *e, dielectric_span *in,
 /* Drop everything above `floor` except the span, which is moved down onto it. */
 void dielectric_compact(dielectric_stack *stack, dielectric_span *span, size_t floor);
 bool dielectric_is_in(const dielectric_stack *stack, dielectric_span in, uint32_t which);
+/* Do two lists hold the same? */
+static inline bool dielectric_are_alike(const dielectric_stack *stack, dielectric_span a, dielectric_span b)
+{
+    bool same = a.count == b.count;
+
+    for (size_t i = 0; same && i < a.count; i++)
+        same = stack->items[a.first + i] == stack->items[b.first + i];
+    return same;
+}
 bool dielectric_push(dielectric_stack *stack, const env *e, uint32_t which);
 
 /* The dielectrics around the start of camera rays: searched once for all rays with the same start. */

@@ -143,12 +143,27 @@ static void put_constants(reflectances *m, uint32_t i, const appearance *a)
     m->has_metal |= r->metallic != 0.0f;
 }
 
+/* Surfaces of a batch mostly cross the same interface as the one before. */
+static bool is_like_last(const shade_context *c, const surfaces *s, uint32_t lane)
+{
+    const surface *a = &s->at[lane], *b = a - 1;
+
+    return lane > 0 && b->appearance->fresnel && a->at->object == b->at->object && a->from->hue == b->from->hue &&
+           dielectric_are_alike(&c->dielectrics, a->from->inside, b->from->inside);
+}
+
 static void put_angle(const shade_context *c, reflectances *m, surfaces *s, uint32_t i, uint32_t lane)
 {
     m->of[i] = (uint8_t)lane;
     m->cosine[i] = s->geometry.cosine[lane];
-    if (m->has_fresnel && s->at[lane].appearance->fresnel)
+    if (!m->has_fresnel || !s->at[lane].appearance->fresnel)
+        return;
+    if (is_like_last(c, s, lane)) {
+        m->ratio[i] = m->ratio[i - 1];
+        s->crossing[lane] = s->crossing[lane - 1];
+    } else {
         m->ratio[i] = ratio_at(c, &s->at[lane], &s->crossing[lane]);
+    }
 }
 
 /* Batches of one appearance often follow one another: then what holds at any angle stands in its lanes. */
