@@ -23,6 +23,11 @@ typedef struct photon_scene {
 pov_status photons_create(shading *s, pov_error *err);
 void photons_destroy(photon_scene *p);
 
+/* The last level of the paths that are traced: of photons, or of rays. */
+static inline int photons_max_level(const shade_context *c)
+{
+    return c->photons_fly ? c->scene->photons->max_level : c->scene->model->max_trace_level;
+}
 /* Set what blocks shadow rays to this light, until the next call. */
 void photons_aim(shade_context *c, size_t which);
 /* Is straight light blocked on a shadow ray that crosses these surfaces? Where no photons are collected it is not. */

@@ -398,11 +398,18 @@ static void scatter_lanes(scattering *to, bool refraction)
     }
 }
 
+/* Rays that are not sent at the last level, whether there would be all of them or not. */
+static void count_ends(shade_context *c, const surfaces *on)
+{
+    for (uint32_t i = 0; i < on->count; i++)
+        c->counts.cut_depth += (uint64_t)on->at[i].appearance->reflective + on->at[i].appearance->transmissive;
+}
+
 static scattering begin(shade_context *c, const surfaces *on, batch_queue *q)
 {
     const model *m = c->scene->model;
     const photon_scene *photons = c->photons_fly ? c->scene->photons : NULL;
-    const int level = photons ? photons->max_level : m->max_trace_level;
+    const int level = photons_max_level(c);
     const float weight = photons ? photons->bailout : (float)m->adc_bailout;
     const limits l = { level, m->opaque_last_level ? level : INT_MAX, weight, 0, 0 };
     const plan *p = c->scene->plan;
@@ -424,8 +431,13 @@ static void count(const scattering *to)
 void scatter(shade_context *c, const surfaces *on, batch_queue *q)
 {
     const plan *p = c->scene->plan;
-    scattering to = begin(c, on, q);
+    scattering to;
 
+    if (on->ends) {
+        count_ends(c, on);
+        return;
+    }
+    to = begin(c, on, q);
     if (p->transmission || p->hidden)
         scatter_lanes(&to, p->refraction);
     else if (p->reflection)

@@ -6,6 +6,7 @@
 #include "shade/accumulate.h"
 #include "shade/air.h"
 #include "shade/paint.h"
+#include "shade/photons.h"
 #include "shade/reflectance.h"
 #include "world/detail.h"
 
@@ -275,6 +276,20 @@ static void set_shading_normals(const shading *scene, surfaces *s)
         g->shading = g->raw = &g->smooth;
 }
 
+/* Does no path go on from any of them, as all are at the last level? Rays that go straight on keep theirs. */
+static bool all_end(const shade_context *c, const surfaces *s)
+{
+    const int level = photons_max_level(c);
+
+    for (uint32_t i = 0; i < s->count; i++) {
+        const surface *at = &s->at[i];
+
+        if (at->from->level < level || (at->appearance->transmissive && (at->appearance->clear || !c->scene->model->opaque_last_level)))
+            return false;
+    }
+    return true;
+}
+
 int surfaces_complete(shade_context *c, surfaces *s, painted *p)
 {
     const shading *scene = c->scene;
@@ -295,7 +310,8 @@ int surfaces_complete(shade_context *c, surfaces *s, painted *p)
     if (scene->plan->textures)
         paint_surfaces(scene, s, p);
     geometry_turn(&s->geometry, s->count);
-    if (scene->angular || scene->plan->fading)
+    s->ends = all_end(c, s);
+    if ((scene->angular || scene->plan->fading) && !s->ends)
         reflectance_set(c, s);
     return kind;
 }
