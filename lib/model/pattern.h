@@ -17,10 +17,12 @@ typedef struct pattern {
     turbulence turbulence;
     wave wave;
     int noise_generator;         /* 0: the scene's */
-    bool uv;                     /* points are the surface's uv coordinates instead; what moves it later does nothing */
-    bool uv_turns;               /* bumps on them turn with the object: it was said of a whole texture */
-    uint32_t map;                /* number in the model's map table of the transformations behind the last warp; last: it
-                                  * is set when the pattern is first used */
+    bool uv;                     /* points are the surface's uv coordinates instead; what moves it later leaves them */
+    bool uv_turns;               /* bumps on them turn with the object and with what moves it later: it was said of a whole
+                                  * texture */
+    uint32_t map;                /* number in the model's map table of the transformations behind the last warp. It and the
+                                  * next are last: they are set when the pattern is first used */
+    uint32_t turn;               /* the same for normals, where those of points do not have it all; or 0 */
 } pattern;
 
 #endif

@@ -74,7 +74,7 @@ const pattern *parse_pattern_space(pov_reader *in, const pattern_reading *r)
     clear(&none);
     space.pattern.class = none.pattern.class = &pattern_average;
     space.pattern.self = NULL;
-    space.pattern.map = 0;
+    space.pattern.map = space.pattern.turn = 0;
     return memcmp(&space, &none, sizeof none) == 0 ? NULL : textures_pattern(in, &space);
 }
 
@@ -281,9 +281,11 @@ static void read_warp(pov_reader *in, void *self, keyword_id keyword)
 static void read_move(pov_reader *in, void *self, keyword_id keyword)
 {
     pattern_reading *r = self;
-    const transform *none = NULL;
+    const transform *none = NULL, **list = &r->parsed.moves;
 
-    parse_transform(in, r->stays ? &none : &r->parsed.moves, keyword);
+    if (r->stays)
+        list = r->parsed.pattern.uv_turns ? &r->parsed.turns : &none;
+    parse_transform(in, list, keyword);
 }
 
 static void read_other(pov_reader *in, void *self, keyword_id keyword)

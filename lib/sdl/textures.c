@@ -23,7 +23,7 @@ static const transform *intern_moves(pov_reader *in, const transform *list)
     return intern(in, buffer, sizeof *one + numbers * sizeof *one->v, sizeof *one + numbers * sizeof *one->v);
 }
 
-/* The number of the map is set later, and is no part of what is compared. */
+/* The numbers of maps are set later, and are no part of what is compared. */
 const pattern *textures_pattern(pov_reader *in, const pattern_parsed *p)
 {
     const size_t compared = offsetof(pattern_parsed, pattern) + offsetof(pattern, map);
@@ -31,8 +31,9 @@ const pattern *textures_pattern(pov_reader *in, const pattern_parsed *p)
     pattern_parsed own = *p;
 
     own.moves = intern_moves(in, p->moves);
+    own.turns = intern_moves(in, p->turns);
     own.pattern.self = intern(in, p->pattern.self, p->pattern.class->self_size, p->pattern.class->self_size);
-    own.pattern.map = 0;
+    own.pattern.map = own.pattern.turn = 0;
     kept = intern(in, &own, sizeof own, compared);
     return kept ? &kept->pattern : NULL;
 }
@@ -92,8 +93,8 @@ static const pattern *change_pattern(pov_reader *in, const pattern *p, const cha
     if (!p)
         return NULL;
     own = *textures_parsed(p);
-    if (by->moves && !own.pattern.uv)
-        parse_append_transforms(in, &own.moves, by->moves, NULL);
+    if (by->moves && (!own.pattern.uv || own.pattern.uv_turns))
+        parse_append_transforms(in, own.pattern.uv ? &own.turns : &own.moves, by->moves, NULL);
     if (by->uv) {
         own.pattern.uv = true;
         own.pattern.uv_turns = by->uv_turns;
@@ -241,12 +242,40 @@ const texture *textures_draft(pov_reader *in, const texture *t)
 
 /* ---- use ---- */
 
+/* The number of a list's map. 0: there is none, or the reader has failed. */
+static uint32_t settle_moves(pov_reader *in, const transform *moves)
+{
+    const place at = in->object;
+    uint32_t number;
+    pov_affine map;
+
+    if (!moves || in->failed)
+        return 0;
+    if (!transform_compose(moves, &map)) {
+        report_fail(in, &at, POV_E_SYNTAX, "the texture is moved beyond what a double holds");
+        return 0;
+    }
+    number = map_table_add(&in->model->kept_maps, in->model->env, &map);
+    if (!number)
+        report_memory(in);
+    return number;
+}
+
+static void settle_maps(pov_reader *in, pattern_parsed *p)
+{
+    const transform *all = p->moves;
+
+    if (!p->pattern.map)
+        p->pattern.map = settle_moves(in, p->moves);
+    if (!p->turns || p->pattern.turn)
+        return;
+    parse_append_transforms(in, &all, p->turns, NULL);
+    p->pattern.turn = settle_moves(in, all);
+}
+
 void textures_settle_pattern(pov_reader *in, const pattern *p)
 {
     const pigment_node *inner;
-    const pattern_parsed *parsed;
-    place at = in->object;
-    pov_affine map;
 
     if (!p || in->failed)
         return;
@@ -255,16 +284,7 @@ void textures_settle_pattern(pov_reader *in, const pattern *p)
         textures_settle_pigment(in, inner);
     if (pattern_needs_noise(p))
         noise_of(in);
-    parsed = textures_parsed(p);
-    if (!parsed->moves || p->map || in->failed)
-        return;
-    if (!transform_compose(parsed->moves, &map)) {
-        report_fail(in, &at, POV_E_SYNTAX, "the texture is moved beyond what a double holds");
-        return;
-    }
-    ((pattern_parsed *)(void *)parsed)->pattern.map = map_table_add(&in->model->kept_maps, in->model->env, &map);
-    if (!p->map)
-        report_memory(in);
+    settle_maps(in, (pattern_parsed *)(void *)textures_parsed(p));
 }
 
 void textures_settle_pigment(pov_reader *in, const pigment_node *p)

@@ -7,7 +7,7 @@
 /* A pattern with the transformations behind its last warp. The map is made of them when the pattern is used, so that
  * steps on the way leave none. */
 typedef struct pattern_parsed {
-    const transform *moves;
+    const transform *moves, *turns;   /* turns: of normals alone, behind these */
     pattern pattern;             /* nodes point to it */
 } pattern_parsed;
 

@@ -70,7 +70,7 @@ static void map_of(const linear_map *from, normal_map *out)
 /* Of a pattern's own transformations, those between warps too. False: there are none. */
 static bool map_of_pattern(const model *m, const pattern *p, normal_map *out)
 {
-    const inverse_map *first = map_table_at(&m->kept_maps, p->map);
+    const inverse_map *first = map_table_at(&m->kept_maps, p->turn ? p->turn : p->map);
     bool has_map = first != NULL;
 
     memset(out->to, 0, sizeof out->to);

@@ -155,6 +155,20 @@ static void bumps_on_uv_coordinates_turn_with_what_they_were_said_of(void **stat
                   plus(z, y, -0.4 / 3.0));
 }
 
+/* Where uv_mapping is a whole texture's, what moves it later moves no point, as in POV-Ray, but turns the normals. */
+static void bumps_of_whole_textures_on_uv_coordinates_turn_with_what_moves_them(void **state)
+{
+    const pov_vec3 z = { 0.0, 0.0, 1.0 }, y = { 0.0, -1.0, 0.0 };
+    (void)state;
+
+    assert_normal(perturbed("#declare T = texture { uv_mapping normal { gradient x 1 } }; texture { T rotate z*-90 }", place, z),
+                  plus(z, y, -0.4 / 3.0));
+    assert_normal(perturbed("#declare T = texture { uv_mapping average texture_map { [1 normal { gradient x 1 }] } }; "
+                            "texture { T rotate z*-90 }", place, z), plus(z, y, -0.4 / 3.0));
+    assert_normal(perturbed("#declare T = texture { uv_mapping normal { gradient x 1 } }; #declare U = texture { T rotate z*-45 }; "
+                            "texture { U rotate z*-45 }", place, z), plus(z, y, -0.4 / 3.0));
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -166,6 +180,7 @@ int main(void)
         cmocka_unit_test(a_list_without_scaled_bumps_has_no_members_with_them),
         cmocka_unit_test(textures_scale_the_bumps_of_their_members),
         cmocka_unit_test(bumps_on_uv_coordinates_turn_with_what_they_were_said_of),
+        cmocka_unit_test(bumps_of_whole_textures_on_uv_coordinates_turn_with_what_moves_them),
     };
 
     return cmocka_run_group_tests(tests, NULL, NULL);
