@@ -1,7 +1,8 @@
 #include "model/image.h"
 #include "texture/pattern.h"
 
-/* A volume fills the unit cube; voxel i begins at i / n, and neighbours repeat. Outside it is 0. */
+/* A volume fills the unit cube; voxel i begins at i / n, and neighbours repeat. Outside it is 0. The voxel before the first is
+ * 2^64 - 1 modulo their number, as in POV-Ray: the last only where that is a power of two. */
 
 static double voxel(const density_file *d, size_t index)
 {
@@ -37,11 +38,11 @@ static void find_weights(int32_t interpolation, double t, double w[4])
 static void find_neighbours(const density_file *d, int axis, double at, neighbours *out)
 {
     const double scaled = at * d->size[axis];
-    const int64_t low = (int64_t)scaled, n = d->size[axis];
+    const uint64_t low = (uint64_t)scaled, n = d->size[axis];
 
     find_weights(d->interpolation, scaled - (double)low, out->weight);
     for (int i = 0; i < 4; i++)
-        out->at[i] = out->weight[i] != 0.0 ? (size_t)(((low + i - 1) % n + n) % n) : 0;
+        out->at[i] = out->weight[i] != 0.0 ? (size_t)((low + (uint64_t)i - 1) % n) : 0;
 }
 
 static double sum_voxels(const density_file *d, const neighbours by[3])

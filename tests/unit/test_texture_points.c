@@ -107,11 +107,45 @@ static void images_are_as_alone(void **state)
     test_free(decoded);
 }
 
+/* ---- volumes ---- */
+
+/* Cubic, along x: the voxel before the first is 2^64 - 1 modulo their number, as in POV-Ray; those behind the last are the
+ * first. */
+static void voxels_before_the_first_are_as_in_pov_ray(void **state)
+{
+    static const uint32_t before[] = { 5, 0, 6, 3, 7, 1, 11, 4, 4, 3 };
+    const double t = 0.3, weight = 0.5 * t * (-1.0 + t * (2.0 - t));
+
+    (void)state;
+    for (size_t i = 0; i < sizeof before / sizeof *before; i += 2) {
+        unsigned char samples[11] = { 0 };
+        const density_file volume = { { before[i], 1, 1 }, 1, 2, samples };
+        const pattern p = { .class = &pattern_density_file, .self = &volume };
+        vec_lanes at;
+        double value[LANES_MAX] = { 0.0 };
+        const pattern_input in = { .at = &at, .n = 1, .of = &p };
+
+        memset(&at, 0, sizeof at);
+        memset(samples, 200, before[i]);
+        samples[before[i + 1]] = 100;
+        at.x[0] = t / before[i];
+        p.class->evaluate(&in, value);
+        if (before[i + 1] > 2)
+            assert_near(value[0], (200.0 - 100.0 * weight) / 255.0, 1e-12);
+        samples[before[i + 1]] = 200;
+        samples[before[i] - 1] = 100;
+        at.x[0] = 1.0 - (1.0 - t) / before[i];
+        p.class->evaluate(&in, value);
+        assert_near(value[0], (200.0 - 100.0 * (1.0 + 0.5 * t * t * (-5.0 + 3.0 * t))) / 255.0, 1e-12);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(points_are_rounded_once),
         cmocka_unit_test(images_are_as_alone),
+        cmocka_unit_test(voxels_before_the_first_are_as_in_pov_ray),
     };
 
     return cmocka_run_group_tests(tests, NULL, NULL);
