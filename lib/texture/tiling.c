@@ -19,8 +19,10 @@ static double depth_in(const tiling_outline *o, double x, double z, double least
 
     for (uint32_t i = 0; i < o->sides && depth > least; i++) {
         const uint32_t d = o->direction[i], quarter = TILING_DIRECTIONS / 4;
-        const double rest = o->distance[i % o->distances] - (x * cosines[d] + z * cosines[(d + 3 * quarter) % TILING_DIRECTIONS]);
+        double rest = o->distance[i % o->distances] - (x * cosines[d] + z * cosines[(d + 3 * quarter) % TILING_DIRECTIONS]);
 
+        if (o->gentle >> i & 1u)
+            rest *= cos30;
         depth = rest < depth ? rest : depth;
     }
     return depth;

@@ -10,6 +10,7 @@ enum { TILING_SIDES = 12, TILING_DIRECTIONS = 24, TILINGS = 24 };
 typedef struct tiling_outline {
     uint8_t sides, distances, direction[TILING_SIDES];
     double distance[4];
+    uint16_t gentle;             /* bits of the sides whose depth counts by the cosine of 30 degrees */
 } tiling_outline;
 
 typedef struct tiling_tile { uint8_t outline, kind; double x, z; } tiling_tile;

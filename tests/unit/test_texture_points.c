@@ -140,12 +140,39 @@ static void voxels_before_the_first_are_as_in_pov_ray(void **state)
     }
 }
 
+/* ---- tilings ---- */
+
+/* In tiling 22 values fall by the distance itself from three sides of the twelve-gons, as in POV-Ray, and faster from the others. */
+static void twelve_gons_are_less_steep_from_three_sides(void **state)
+{
+    static const struct { double x, z, value; } samples[] = {
+        { 0.31693, 2.05219, 0.68307 }, { -1.88244, -0.92664, 0.98359 }, { 2.16017, 0.23299, 0.76701 },
+        { 1.866025403784439, 3.632050807568877, 1.0 - 0.1 * 1.1547005383792515 },
+    };
+    const int32_t number = 22;
+    const pattern p = { .class = pattern_find("tiling"), .self = &number };
+
+    (void)state;
+    for (size_t i = 0; i < sizeof samples / sizeof *samples; i++) {
+        vec_lanes at;
+        double value[LANES_MAX] = { 0.0 };
+        const pattern_input in = { .at = &at, .n = 1, .of = &p };
+
+        memset(&at, 0, sizeof at);
+        at.x[0] = samples[i].x;
+        at.z[0] = samples[i].z;
+        p.class->evaluate(&in, value);
+        assert_near(value[0], samples[i].value, 1e-5);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(points_are_rounded_once),
         cmocka_unit_test(images_are_as_alone),
         cmocka_unit_test(voxels_before_the_first_are_as_in_pov_ray),
+        cmocka_unit_test(twelve_gons_are_less_steep_from_three_sides),
     };
 
     return cmocka_run_group_tests(tests, NULL, NULL);
