@@ -104,11 +104,25 @@ static double inside_value(const fractal *f, complex_number z, double least)
     return (f->interior == 0 ? 1.0 : f->interior == 1 ? sqrt(least) : component(f->interior, z)) * f->interior_factor;
 }
 
+/* What types 7 and 8 count steps by before they begin again; 0: it is not possible. Below 0 they never do, as in POV-Ray. */
+static double period_of(const fractal *f) { return trunc(f->exterior_factor) + (f->exterior == 8 ? 1.0 : 0.0); }
+
+static double repeated_steps(const fractal *f, int32_t steps)
+{
+    const double period = period_of(f);
+
+    if (f->exterior_factor == 0.0)
+        return 0.0;
+    return (period > 0.0 ? fmod(steps, period) : steps) / f->exterior_factor;
+}
+
 /* The ratio of steps has no factor. */
 static double outside_value(const fractal *f, complex_number z, int32_t steps, int32_t limit)
 {
     if (f->exterior == 1)
         return (double)steps / limit;
+    if (f->exterior > 6)
+        return repeated_steps(f, steps);
     return (f->exterior == 0 ? 1.0 : f->exterior == 6 ? sqrt(square_of(z)) : component(f->exterior, z)) * f->exterior_factor;
 }
 
@@ -285,8 +299,10 @@ static const char *check(const void *self)
 
     if (f->exponent < 2 || f->exponent > 33)
         return "the exponent must lie in 2 to 33";
-    if (f->interior < 0 || f->interior > 6 || f->exterior < 0 || f->exterior > 6)
-        return "types of interior and exterior are 0 to 6";
+    if (f->interior < 0 || f->interior > 6 || f->exterior < 0 || f->exterior > 8)
+        return "types of interior are 0 to 6, of exterior 0 to 8";
+    if (f->exterior > 6 && period_of(f) == 0.0)
+        return "the factor of exterior 7 must be 1 at least, that of 8 must not be -1";
     return NULL;
 }
 

@@ -42,26 +42,48 @@ static void the_lengths_of_both_vectors_are_their_weights(void **state)
         assert_slope(&slopes[i]);
 }
 
+typedef struct seen_value { const char *pattern; double value; } seen_value;
+
+/* At <0, 0, 1>. */
+static void assert_seen(const seen_value *seen)
+{
+    char text[512];
+    float *picture;
+
+    snprintf(text, sizeof text, "#version 3.7; global_settings { assumed_gamma 1 }\n"
+             "plane { z, 1 pigment { %s color_map { [0 rgb 0] [1 rgb 1] } } finish { ambient 1 diffuse 0 } }\n", seen->pattern);
+    picture = scenes_draw(text, 1, 1, 1, 1);
+    if (fabs((double)picture[0] - seen->value) > 1e-4)
+        fail_msg("%s is %f", seen->pattern, (double)picture[0]);
+    free(picture);
+}
+
 /* As measured: the other patterns' period is a little more than 1 where there is a frequency. */
 static void functions_repeat_with_a_period_of_one(void **state)
 {
-    static const struct { const char *pattern; double value; } seen[] = {
+    static const seen_value seen[] = {
         { "function { 10000.25 }", 0.25 }, { "function { 10000.25 } frequency 2 phase .1", 0.6 }, { "function { 10000.25 } frequency 0", 0.25 },
         { "function { 1 }", 1.0 }, { "function { -10000.25 }", 0.85 },
     };
     (void)state;
 
-    for (size_t i = 0; i < sizeof seen / sizeof seen[0]; i++) {
-        char text[512];
-        float *picture;
+    for (size_t i = 0; i < sizeof seen / sizeof seen[0]; i++)
+        assert_seen(&seen[i]);
+}
 
-        snprintf(text, sizeof text, "#version 3.7; global_settings { assumed_gamma 1 }\n"
-                 "plane { z, 1 pigment { %s color_map { [0 rgb 0] [1 rgb 1] } } finish { ambient 1 diffuse 0 } }\n", seen[i].pattern);
-        picture = scenes_draw(text, 1, 1, 1, 1);
-        if (fabs((double)picture[0] - seen[i].value) > 1e-4)
-            fail_msg("%s is %f", seen[i].pattern, (double)picture[0]);
-        free(picture);
-    }
+/* The sequence of .5 leaves after three steps, that of .3 after ten. */
+static void steps_of_fractals_may_begin_again(void **state)
+{
+    static const seen_value seen[] = {
+        { "mandel 20 exterior 7, 2 translate -.5*x", 0.5 },    { "mandel 20 exterior 7, 2.9 translate -.5*x", 1.0 / 2.9 },
+        { "mandel 20 exterior 8, 2 translate -.5*x", 0.0 },    { "mandel 20 exterior 8, 3 translate -.5*x", 1.0 },
+        { "mandel 20 exterior 7, -6 translate -.5*x", 0.5 },   { "mandel 20 exterior 8, 0 translate -.5*x", 0.0 },
+        { "mandel 20 exterior 7, 4 translate -.3*x", 0.5 },
+    };
+    (void)state;
+
+    for (size_t i = 0; i < sizeof seen / sizeof seen[0]; i++)
+        assert_seen(&seen[i]);
 }
 
 static float *seen_of(const char *pattern, const char *shape)
@@ -191,6 +213,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(functions_repeat_with_a_period_of_one),
+        cmocka_unit_test(steps_of_fractals_may_begin_again),
         cmocka_unit_test(the_lengths_of_both_vectors_are_their_weights),
         cmocka_unit_test(light_through_slopes_is_filtered_by_its_own_ray),
         cmocka_unit_test(colours_that_are_left_out_are_those_of_the_pattern),
