@@ -17,6 +17,7 @@ SIMD_INLINE double angle_value(double cosine)
     return 1.0 - elementary_acos(c) / pi;
 }
 
+/* Where both are alike, as those that are not given, values stay as they are. */
 static double between(double value, double low, double high)
 {
     return low == high ? value : (value - low) / (high - low);
@@ -34,8 +35,8 @@ static double folded(double v)
 static void evaluate_slope(const pattern_input *in, double *value)
 {
     const steepness *s = in->of->self;
-    const pov_vec3 direction = pov_unit(s->direction), up = pov_unit(s->altitude);
     const double steep = sqrt(pov_dot(s->direction, s->direction)), high = sqrt(pov_dot(s->altitude, s->altitude));
+    const pov_vec3 direction = steep > 0.0 ? pov_unit(s->direction) : s->direction, up = pov_unit(s->altitude);
 
     for (uint32_t i = 0; i < in->n; i++) {
         double v = between(angle_value(pov_dot(lanes_at(in->normal, i), direction)), s->low, s->high);
@@ -56,10 +57,11 @@ static const char *check(const void *self)
 {
     const steepness *s = self;
 
-    return pov_largest(s->direction) > 0.0 ? NULL : "the direction of a slope must not be 0";
+    if (pov_largest(s->direction) > 0.0 || pov_largest(s->altitude) > 0.0)
+        return NULL;
+    return "the direction of a slope must not be 0 where it has no altitude";
 }
 
-static const steepness usual = { .high = 1.0, .high_altitude = 1.0 };
 static const pattern_word words[] = {
     { NULL, PATTERN_VECTOR, offsetof(steepness, direction), false },
     { NULL, PATTERN_NUMBER, offsetof(steepness, low), true },
@@ -72,7 +74,6 @@ static const pattern_word words[] = {
 const pattern_class pattern_slope = {
     .keyword = "slope",
     .self_size = sizeof(steepness),
-    .self = &usual,
     .words = words,
     .word_count = sizeof words / sizeof words[0],
     .check = check,

@@ -35,6 +35,9 @@ static void the_lengths_of_both_vectors_are_their_weights(void **state)
         { "y*2 altitude y", { 0.0833, 0.9167, 0.75, 0.5833 } },
         { "y altitude y, 0, 2", { 0.8125, 0.6875, 0.5625, 0.4375 } },
         { "y*3, .2, .7 altitude y*2, -1, 1", { 0.21, 0.11, 0.01, 0.91 } },
+        { "y, .3", { 0.5, 0.5, 0.5, 0.5 } },
+        { "y altitude y, .5", { 0.125, 0.625, 0.125, 0.625 } },
+        { "0 altitude y", { 0.75, 0.25, 0.75, 0.25 } },
     };
     (void)state;
 
