@@ -14,13 +14,11 @@ static size_t count_of(int width, int height, int edge)
 static int edge_of(int width, int height, int threads)
 {
     /* At the end all threads wait for the last tile: with this many tiles it is a small part of each thread's work. */
-    const size_t many_for_one = 128, too_many = 16384;
-    int edge = 32;
+    const size_t many_for_one = 128;
+    int edge = TILE_EDGE_MAX;
 
-    if (count_of(width, height, edge) / many_for_one < (size_t)threads)
-        edge = TILE_EDGE_MIN;
-    else if (count_of(width, height, edge) > too_many)
-        edge = TILE_EDGE_MAX;
+    while (edge > TILE_EDGE_MIN && count_of(width, height, edge) / many_for_one < (size_t)threads)
+        edge /= 2;
     return edge;
 }
 
