@@ -40,6 +40,7 @@ static void fill_fast(shape_class *out, const pov_shape_fast *from)
     out->intersect_between_many = f.intersect_between_many;
     out->narrow = f.narrow;
     out->reorder = f.reorder;
+    out->normal_at_many = f.normal_at_many;
 }
 
 void shape_class_fill(shape_class *out, const pov_shape_class *from)

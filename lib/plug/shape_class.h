@@ -47,6 +47,7 @@ typedef struct shape_class {
     bool (*outline)(const void *self, pov_outline *out);
     void (*reorder)(void *parsed);
     uint32_t (*narrow)(const void *self, const pov_own_map *map, uint32_t owner, const pov_rays *rays, pov_candidate *io, uint32_t n);
+    void (*normal_at_many)(const void *const *selves, const pov_vec3 *const *points, pov_vec3 *const *out, uint32_t n);
 } shape_class;
 
 /* Complete a class that shape_class_check() has accepted. */

@@ -34,6 +34,25 @@ static inline void find_normal_of(const world *w, uint32_t index, const pov_ray 
         shape->normal(ref.instance, ray, &h->crossing, &h->normal);
 }
 
+/* Are normals of the group's shapes found by points? */
+static inline bool is_by_point(const shape_group *g) { return !g->instanced && g->shape->normal_at_many; }
+
+/* The same of a surface of this world, whose point is known. */
+static inline void find_own_normal(const world *w, const pov_ray *ray, hit *h)
+{
+    const shape_group *g = &w->groups[w->objects_info[h->object].group];
+    const pov_vec3 *const point = &h->point;
+    pov_vec3 *const out = &h->normal;
+    const void *self;
+
+    if (!is_by_point(g)) {
+        find_normal_of(w, h->object, ray, h);
+        return;
+    }
+    self = world_shape(w, h->object).instance;
+    g->shape->normal_at_many(&self, &point, &out, 1);
+}
+
 static void find_copy_normal(const world *w, const pov_ray *ray, hit *h)
 {
     copy_path p;
@@ -61,7 +80,7 @@ void world_surface(const world *w, const pov_ray *ray, hit *h)
 {
     find_point(ray, h);
     if (world_is_own(w, h->object)) {
-        find_normal_of(w, h->object, ray, h);
+        find_own_normal(w, ray, h);
         set_entering(&w->objects_info[h->object], ray, h);
     } else {
         find_copy_normal(w, ray, h);
@@ -226,6 +245,30 @@ static void find_added(normals *some, const shape_class *shape)
     instance_world_normals(some->ref, some->instanced_normals, some->instanced_count);
 }
 
+/* Normals of all of `left` in the group of the first, by their points. Returns the others. */
+static uint64_t find_normals_at(const world *w, const shape_group *of, hit *const *hits, uint64_t left)
+{
+    const void *selves[WORLD_MANY];
+    const pov_vec3 *points[WORLD_MANY];
+    pov_vec3 *out[WORLD_MANY];
+    uint64_t others = 0;
+    uint32_t n = 0;
+
+    for (; left; left &= left - 1) {
+        const uint32_t i = first_of64(left), which = hits[i]->object;
+
+        if (&w->groups[w->objects_info[which].group] != of) {
+            others |= (uint64_t)1 << i;
+            continue;
+        }
+        selves[n] = world_shape(w, which).instance;
+        points[n] = &hits[i]->point;
+        out[n++] = &hits[i]->normal;
+    }
+    of->shape->normal_at_many(selves, points, out, n);
+    return others;
+}
+
 /* Normals of all of `left` in the class of the first, stage by stage. Normals of classes without a batch function are
  * computed at once, unless they are instanced. Returns the others. */
 static uint64_t find_normals(const world *w, const object_space_rays *from, const pov_ray *const *rays,
@@ -244,7 +287,7 @@ static uint64_t find_normals(const world *w, const object_space_rays *from, cons
             find_normal_of(w, which, rays[i], hits[i]);
             continue;
         }
-        if (shape && g->shape != shape) {
+        if ((shape && g->shape != shape) || is_by_point(g)) {
             others |= (uint64_t)1 << i;
             continue;
         }
@@ -295,8 +338,11 @@ void world_surface_many(const world *w, const object_space_rays *from, const pov
     }
     if (w->copies)
         left = find_copy_normals(w, rays, hits, left);
-    for (own = left; left;)
-        left = find_normals(w, from, rays, hits, left);
+    for (own = left; left;) {
+        const shape_group *g = &w->groups[w->objects_info[hits[first_of64(left)]->object].group];
+
+        left = is_by_point(g) ? find_normals_at(w, g, hits, left) : find_normals(w, from, rays, hits, left);
+    }
     for (i = 0; i < n; i++) {
         if (own >> i & 1)
             set_entering(&w->objects_info[hits[i]->object], rays[i], hits[i]);

@@ -88,6 +88,12 @@ static inline pov_vec3 common_sphere_offset(const common_sphere *s, const pov_ra
     return pov_two3_hi(common_point(&k, at));
 }
 
+/* From the centre to the point, scaled. */
+static inline pov_vec3 common_sphere_offset_of(const common_sphere *s, pov_vec3 point, pov_vec3 point_lo)
+{
+    return pov_two3_hi(common_offset(point, point_lo, s->centre, common_sphere_scale(s)));
+}
+
 /* The contract's functions; selves are common_spheres. */
 void common_sphere_intersect(const void *self, const pov_ray *ray, pov_hits *hits);
 void common_sphere_normal(const void *self, const pov_ray *ray, const pov_crossing *at, pov_vec3 *out);
@@ -95,5 +101,6 @@ void common_sphere_intersect_many(const void *const *selves, const pov_ray *cons
                                   uint32_t n);
 void common_sphere_normal_many(const void *const *selves, const pov_ray *const *rays, const pov_crossing *const *at,
                                pov_vec3 *const *out, uint32_t n);
+void common_sphere_normal_at_many(const void *const *selves, const pov_vec3 *const *points, pov_vec3 *const *out, uint32_t n);
 
 #endif

@@ -20,16 +20,14 @@ static inline void put_sphere(sphere_lanes *l, uint32_t i, const common_sphere *
 }
 #endif
 
-/* Load pairs into four lanes from i on. */
-COMMON_INLINE void put_four(sphere_lanes *l, uint32_t i, const void *const *selves, const pov_ray *const *rays,
-                            uint32_t n)
+/* Load spheres of n pairs into four lanes from i on. */
+COMMON_INLINE void put_four_spheres(sphere_lanes *l, uint32_t i, const void *const *selves, uint32_t n)
 {
     const void *spheres[4];
     uint32_t j;
 
     for (j = 0; j < 4; j++)
         spheres[j] = selves[common_lane_of(i + j, n)];
-    common_put_four_of(&l->rays, i, rays, n);
 #ifdef COMMON_TRANSPOSES
     common_four v[4];
 
@@ -47,6 +45,14 @@ COMMON_INLINE void put_four(sphere_lanes *l, uint32_t i, const void *const *selv
     for (j = 0; j < 4; j++)
         put_sphere(l, i + j, spheres[j]);
 #endif
+}
+
+/* The same of pairs. */
+COMMON_INLINE void put_four(sphere_lanes *l, uint32_t i, const void *const *selves, const pov_ray *const *rays,
+                            uint32_t n)
+{
+    put_four_spheres(l, i, selves, n);
+    common_put_four_of(&l->rays, i, rays, n);
 }
 
 static inline common_sphere get_sphere(const sphere_lanes *l, uint32_t i)
@@ -193,7 +199,17 @@ void common_sphere_intersect_many(const void *const *selves, const pov_ray *cons
     common_intersect_pairs(selves, rays, hits, n, intersect_lanes, common_sphere_intersect);
 }
 
-/* Normals, and their lengths before normalisation: pov_unit() scales the very large and the very small. */
+/* A normal, and its length before normalisation: pov_unit() scales the very large and the very small. */
+static inline double put_unit(common_lane3 *restrict out, uint32_t i, pov_vec3 w)
+{
+    const double length = sqrt(pov_dot(w, w));
+
+    common_put(out, i, pov_vec3_of(w.x / length, w.y / length, w.z / length));
+    return pov_largest(w);
+}
+
+static inline bool is_moderate(double largest) { return largest > 1e-100 && largest < 1e100; }
+
 COMMON_CLONES static void find_normals(const sphere_lanes *restrict l, common_lane3 *restrict out,
                                        double *restrict largest)
 {
@@ -203,15 +219,10 @@ COMMON_CLONES static void find_normals(const sphere_lanes *restrict l, common_la
         common_sphere s = get_sphere(l, i);
         pov_ray ray = common_get_ray(&l->rays, i);
         pov_crossing at;
-        pov_vec3 w;
-        double length;
 
         at.t = l->t[i];
         at.t_lo = l->t_lo[i];
-        w = common_sphere_offset(&s, &ray, &at);
-        length = sqrt(pov_dot(w, w));
-        largest[i] = pov_largest(w);
-        common_put(out, i, pov_vec3_of(w.x / length, w.y / length, w.z / length));
+        largest[i] = put_unit(out, i, common_sphere_offset(&s, &ray, &at));
     }
 }
 
@@ -232,7 +243,7 @@ static void normals_of(const void *const *selves, const pov_ray *const *rays, co
     }
     find_normals(&lanes, &unit, largest);
     for (i = 0; i < n; i++)
-        if (largest[i] > 1e-100 && largest[i] < 1e100)
+        if (is_moderate(largest[i]))
             *out[i] = common_get(&unit, i);
         else
             common_sphere_normal(selves[i], rays[i], at[i], out[i]);
@@ -249,4 +260,77 @@ void common_sphere_normal_many(const void *const *selves, const pov_ray *const *
     }
     for (i = 0; i < n; i++)
         common_sphere_normal(selves[i], rays[i], at[i], out[i]);
+}
+
+/* ---- at points ---- */
+
+/* Load points of n pairs into four lanes from i on, in place of rays' starts. */
+COMMON_INLINE void put_four_points(sphere_lanes *l, uint32_t i, const pov_vec3 *const *points, uint32_t n)
+{
+    uint32_t j;
+#ifdef COMMON_TRANSPOSES
+    const void *const from[4] = { points[common_lane_of(i, n)], points[common_lane_of(i + 1, n)], points[common_lane_of(i + 2, n)],
+                                  points[common_lane_of(i + 3, n)] };
+    common_four v[4];
+
+    common_transpose(from, 0, v);
+    for (j = 0; j < 3; j++)
+        common_store_four(j == 0 ? l->rays.org.x : j == 1 ? l->rays.org.y : l->rays.org.z, i, v[j]);
+    common_store_four(l->rays.org_lo.x, i, v[3]);
+    common_transpose(from, 4 * sizeof(double), v);
+    common_store_four(l->rays.org_lo.y, i, v[0]);
+    common_store_four(l->rays.org_lo.z, i, v[1]);
+#else
+    for (j = 0; j < 4; j++) {
+        common_put(&l->rays.org, i + j, points[common_lane_of(i + j, n)][0]);
+        common_put(&l->rays.org_lo, i + j, points[common_lane_of(i + j, n)][1]);
+    }
+#endif
+}
+
+COMMON_CLONES static void find_normals_at(const sphere_lanes *restrict l, common_lane3 *restrict out, double *restrict largest)
+{
+    uint32_t i;
+
+    for (i = 0; i < COMMON_LANES; i++) {
+        const common_sphere s = get_sphere(l, i);
+
+        largest[i] = put_unit(out, i, common_sphere_offset_of(&s, common_get(&l->rays.org, i), common_get(&l->rays.org_lo, i)));
+    }
+}
+
+static void normal_at(const common_sphere *s, const pov_vec3 *point, pov_vec3 *out)
+{
+    *out = pov_unit(common_sphere_offset_of(s, point[0], point[1]));
+}
+
+static void normals_at(const void *const *selves, const pov_vec3 *const *points, pov_vec3 *const *out, uint32_t n)
+{
+    sphere_lanes lanes;
+    common_lane3 unit;
+    common_lane largest;
+    uint32_t i;
+
+    for (i = 0; i < COMMON_LANES; i += 4) {
+        put_four_spheres(&lanes, i, selves, n);
+        put_four_points(&lanes, i, points, n);
+    }
+    find_normals_at(&lanes, &unit, largest);
+    for (i = 0; i < n; i++)
+        if (is_moderate(largest[i]))
+            *out[i] = common_get(&unit, i);
+        else
+            normal_at(selves[i], points[i], out[i]);
+}
+
+void common_sphere_normal_at_many(const void *const *selves, const pov_vec3 *const *points, pov_vec3 *const *out, uint32_t n)
+{
+    uint32_t i;
+
+    for (; n >= COMMON_LEAST; n -= i, selves += i, points += i, out += i) {
+        i = n < COMMON_LANES ? n : COMMON_LANES;
+        normals_at(selves, points, out, i);
+    }
+    for (i = 0; i < n; i++)
+        normal_at(selves[i], points[i], out[i]);
 }

@@ -105,6 +105,7 @@ static const pov_shape_fast sphere_fast = {
     .block_filter = common_sphere_filter,
     .intersect_many = common_sphere_intersect_many,
     .normal_many = common_sphere_normal_many,
+    .normal_at_many = common_sphere_normal_at_many,
     .outline = outline,
 };
 

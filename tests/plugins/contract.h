@@ -30,6 +30,7 @@ void block_filters_never_exclude_a_crossing(void **unused);
 /* contract_many.c */
 void many_rays_get_the_results_of_single_ones(void **unused);
 void many_normals_are_those_of_single_ones(void **unused);
+void normals_at_points_are_those_of_rays(void **unused);
 
 /* contract_leaving.c */
 void a_ray_that_leaves_never_hits_its_start(void **unused);

@@ -159,3 +159,66 @@ void many_normals_are_those_of_single_ones(void **unused)
     assert_true(seen > 1000);
     assert_int_equal(broken, 0);
 }
+
+/* A point as the contract has it: with its low part, and with memory behind both. */
+typedef struct place { pov_vec3 point[2]; double behind[2]; } place;
+
+/* Crossings of moderate rays, whose points say where they are. Returns their number. */
+static uint32_t find_places(packet *c, place *places)
+{
+    uint32_t n = 0;
+
+    memset(places, 0, PACKET * sizeof *places);
+    gather(c, PACKET);
+    for (uint32_t i = 0; i < PACKET; i++) {
+        const double size = pov_largest(c->ray[i].dir), from = pov_largest(c->ray[i].org);
+
+        if (c->hits[0][i].count == 0 || !(size > 1e-50 && size < 1e50) || !(from < 1e50))
+            continue;
+        subject_point(&c->ray[i], c->at[0][i].t, c->at[0][i].t_lo, &places[n].point[0], &places[n].point[1]);
+        c->selves[n] = c->selves[i];
+        c->rays[n] = c->rays[i];
+        c->at[1][n++] = c->at[0][i];
+    }
+    return n;
+}
+
+static bool are_near(pov_vec3 a, pov_vec3 b)
+{
+    return pov_largest(pov_sub(a, b)) <= 0x1p-51;
+}
+
+void normals_at_points_are_those_of_rays(void **unused)
+{
+    static packet c;
+    int round, off = 0, other = 0, seen = 0;
+
+    (void)unused;
+    if (!HAS(normal_at_many))
+        subject_skip("has no normal_at_many");
+    for (round = 0; round < 3000; round++) {
+        place places[PACKET];
+        const pov_vec3 *points[PACKET];
+        pov_vec3 normal[PACKET], *out[PACKET];
+        const uint32_t n = find_places(&c, places);
+
+        for (uint32_t i = 0; i < n; i++) {
+            points[i] = places[i].point;
+            out[i] = &normal[i];
+        }
+        if (n > 0)
+            subject.shape->normal_at_many(c.selves, points, out, n);
+        for (uint32_t i = 0; i < n; i++) {
+            pov_vec3 by_ray, one, *const to = &one;
+
+            subject.shape->normal(c.selves[i], c.rays[i], &c.at[1][i], &by_ray);
+            subject.shape->normal_at_many(&c.selves[i], &points[i], &to, 1);
+            off += !are_near(by_ray, normal[i]);
+            other += memcmp(&one, &normal[i], sizeof one) != 0;
+        }
+        seen += (int)n;
+    }
+    assert_true(seen > 1000);
+    assert_int_equal(off, 0);
+    assert_int_equal(other, 0);
+}

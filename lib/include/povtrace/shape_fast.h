@@ -115,6 +115,10 @@ typedef struct pov_shape_fast {
     /* [load] Of what parse() wrote, where several texts are one solid: makes it that of one of them, whichever it was. Hosts find so
      * which shapes are the same; nothing else is made of it. */
     void (*reorder)(void *parsed);
+    /* [render] Normals at the points of crossings, for shapes that have absorbed all of their transformations: as normal() has them, but for the
+     * last bit where that is a matter of rounding. A point is points[i][0] + points[i][1], in memory that goes on for another
+     * two doubles at least; n is at least one. */
+    void (*normal_at_many)(const void *const *selves, const pov_vec3 *const *points, pov_vec3 *const *out, uint32_t n);
 } pov_shape_fast;
 
 #endif
