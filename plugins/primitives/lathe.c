@@ -7,6 +7,7 @@
 #include "common/bernstein.h"
 #include "common/curve.h"
 #include "common/revolved.h"
+#include "common/sides.h"
 #include "common/turns.h"
 
 #include <string.h>
@@ -20,7 +21,7 @@ typedef struct lathe {
     common_boxed boxed;
     common_revolved filter;        /* of straight pieces; else empty */
     double wide, high;             /* half a box about the anchor, scaled */
-    double outward;                /* 1: the outside is to the right of a curve that rises; else -1 */
+    common_sides sides;
     bool open;
 } lathe;
 
@@ -91,16 +92,8 @@ static bool is_joined(const lathe *l, uint32_t piece, uint32_t end)
 
 static void find_gaps(lathe *l)
 {
-    double area = 0.0;
-
-    for (uint32_t i = 0; i < l->outline.count; i++) {
-        const common_piece *c = &l->outline.at[i];
-        const uint32_t n = c->degree;
-
-        l->open |= l->outline.count < 4096 && (!is_joined(l, i, 0) || !is_joined(l, i, n));
-        area += (c->x[0] + c->x[n]) * (c->y[n] - c->y[0]);
-    }
-    l->outward = area < 0.0 ? -1.0 : 1.0;
+    for (uint32_t i = 0; i < l->outline.count; i++)
+        l->open |= l->outline.count < 4096 && (!is_joined(l, i, 0) || !is_joined(l, i, l->outline.at[i].degree));
 }
 
 static void place(lathe *l, const pov_host *host, pov_reader *in)
@@ -119,6 +112,7 @@ static void place(lathe *l, const pov_host *host, pov_reader *in)
     l->boxed.hi = pov_vec3_of(l->wide, l->high, l->wide);
     common_outline_place(&l->outline, middle, l->boxed.scale);
     find_gaps(l);
+    common_sides_find(&l->sides, &l->outline, host, in);
     l->parts = host->alloc(in, l->outline.count * sizeof *l->parts);
     for (uint32_t i = 0; l->parts && i < l->outline.count; i++)
         make_part(&l->parts[i], &l->outline.at[i]);
@@ -533,11 +527,12 @@ static void normal_at(const void *self, pov_vec3 p, const pov_ray *ray, const po
 {
     const lathe *l = self;
     const double radius = sqrt(p.x * p.x + p.z * p.z);
+    const double outward = common_sides_at(&l->sides, at->mark.feature, at->mark.u);
     double v[2], slope[2], radial;
 
     common_piece_at(&l->outline.at[at->mark.feature], at->mark.u, v, slope);
     radial = radius > 0.0 ? (v[0] < 0.0 ? -1.0 : 1.0) * slope[1] / radius : 0.0;
-    *out = pov_scale(pov_unit(pov_vec3_of(p.x * radial, -slope[0], p.z * radial)), l->outward);
+    *out = pov_scale(pov_unit(pov_vec3_of(p.x * radial, -slope[0], p.z * radial)), outward);
     if (!(pov_largest(*out) > 0.0))
         *out = pov_scale(pov_unit(ray->dir), -1.0);
 }
@@ -548,8 +543,7 @@ COMMON_ROUND_CLASS(lathe, cross, first, narrow, normal_at)
 static bool reversed(const void *self, const pov_ray *ray, const pov_crossing *at)
 {
     (void)ray;
-    (void)at;
-    return ((const lathe *)self)->outward < 0.0;
+    return common_sides_at(&((const lathe *)self)->sides, at->mark.feature, at->mark.u) < 0.0;
 }
 
 static bool open(const void *self) { return ((const lathe *)self)->open; }

@@ -109,6 +109,18 @@ static int count_starts_met(const shape_class *c, const void *self, void *scratc
     return met;
 }
 
+static pov_ray aimed(void)
+{
+    const pov_vec3 to = pov_scale(direction(), 0.9 * uniform());
+    pov_ray ray;
+
+    memset(&ray, 0, sizeof ray);
+    ray.origin_surface = UINT32_MAX;
+    ray.dir = direction();
+    ray.org = pov_sub(to, pov_scale(ray.dir, 3.0));
+    return ray;
+}
+
 static void a_ray_that_leaves_a_lathe_does_not_meet_its_start(void **unused)
 {
     const shape_class *c = fake_reader_shape("lathe");
@@ -123,13 +135,8 @@ static void a_ray_that_leaves_a_lathe_does_not_meet_its_start(void **unused)
 
         assert_non_null(scratch);
         for (int i = 0; i < RAYS; i++) {
-            const pov_vec3 to = pov_scale(direction(), 0.9 * uniform());
-            pov_ray ray;
+            const pov_ray ray = aimed();
 
-            memset(&ray, 0, sizeof ray);
-            ray.origin_surface = UINT32_MAX;
-            ray.dir = direction();
-            ray.org = pov_sub(to, pov_scale(ray.dir, 3.0));
             met += count_starts_met(c, self, scratch, &ray);
         }
         free(scratch);
@@ -138,10 +145,63 @@ static void a_ray_that_leaves_a_lathe_does_not_meet_its_start(void **unused)
     assert_int_equal(met, 0);
 }
 
+/* Behind a crossing, against its normal. */
+static bool is_inside(const shape_class *c, const void *self, const pov_ray *ray, const pov_crossing *at, double off)
+{
+    const pov_vec3 none = { 0.0, 0.0, 0.0 };
+    pov_vec3 normal, p;
+
+    c->normal(self, ray, at, &normal);
+    p = pov_vec3_of(along(ray->org.x, ray->dir.x, at).hi, along(ray->org.y, ray->dir.y, at).hi, along(ray->org.z, ray->dir.z, at).hi);
+    return c->inside(self, pov_sub(p, pov_scale(normal, off)), none);
+}
+
+/* Of curves whose ends are on the other side of an area than what bulges, that cross themselves, that go round a hole. */
+static void normals_point_out_of_what_is_inside(void **unused)
+{
+    static const char *const texts[] = {
+        "bezier_spline 12, <.4,-.6>, <1,-.6>, <1,.6>, <.4,.6>, <.4,.6>, <.3,.6>, <.3,.3>, <.5,0>, <.5,0>, <.6,-.2>, <.2,-.6>, <.4,-.6>",
+        "bezier_spline 4, <.3,-.8>, <2.5,1.5>, <2.5,-1.5>, <.3,.8>",
+        "linear_spline 5, <.3,-.8>, <.9,.8>, <.3,.8>, <.9,-.8>, <.3,-.8>",
+        "linear_spline 6, <0,-.8>, <.9,0>, <.4,.5>, <.4,-.5>, <.9,.2>, <0,.8>",
+        "quadratic_spline 6, <.2,.1>, <.4,-.5>, <.9,0>, <.5,.6>, <.2,.1>, <.4,-.5>",
+        "cubic_spline 7, <.9,0>, <.4,-.5>, <.2,.1>, <.5,.6>, <.9,0>, <.4,-.5>, <.2,.1>",
+        "linear_spline 3, <0,.8>, <.9,0>, <0,-.8>",
+    };
+    const shape_class *c = fake_reader_shape("lathe");
+
+    (void)unused;
+    assert_non_null(c);
+    state = 88172645463325252u;
+    for (size_t k = 0; k < sizeof texts / sizeof texts[0]; k++) {
+        pov_reader *in = fake_reader_create();
+        void *self, *scratch;
+        int count = 0, wrong = 0;
+
+        fake_reader_text(in, texts[k]);
+        self = fake_reader_parse(in, c);
+        scratch = self ? malloc(c->scratch(self)) : NULL;
+        assert_non_null(scratch);
+        for (int i = 0; i < RAYS; i++) {
+            const pov_ray ray = aimed();
+            pov_crossing at[MOST];
+            const uint32_t n = ask(c, self, scratch, &ray, at);
+
+            for (uint32_t h = 0; h < n; h++, count++)
+                wrong += !is_inside(c, self, &ray, &at[h], 1e-5) || is_inside(c, self, &ray, &at[h], -1e-5);
+        }
+        if (count < RAYS / 4 || wrong > count / 500)
+            fail_msg("%s: of %d normals %d do not point outward", texts[k], count, wrong);
+        free(scratch);
+        fake_reader_destroy(in);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_ray_that_leaves_a_lathe_does_not_meet_its_start),
+        cmocka_unit_test(normals_point_out_of_what_is_inside),
     };
 
     return cmocka_run_group_tests(tests, NULL, NULL);
