@@ -156,6 +156,7 @@ bool host_transform(pov_reader *in, pov_affine *map)
     }
     if (in->failed || !list || !compose_behind(in, list, map, &made))
         return false;
+    parse_component_move(in, list);
     *map = made;
     return true;
 }

@@ -102,7 +102,14 @@ void parse_share_shape(pov_reader *in, symbol *word, leaf_node *o);
  * has failed. */
 object_parsed *parse_keep(pov_reader *in, const object_parsed *o);
 /* Textures of parts of a leaf, as of the faces of a mesh: a list that its plugin's parse() fills. */
-typedef struct part_list { const texture **items; size_t count, capacity; struct part_list *outer; } part_list;
+typedef struct part_list {
+    const texture **items;
+    size_t count, capacity;
+    struct part_list *outer;
+    surface_parsed component;    /* what was read of the texture of a component, */
+    size_t before;               /* how many there are without it, */
+    bool textured, stale;        /* whether anything was, and whether it has changed since it has its number */
+} part_list;
 void parse_parts_begin(pov_reader *in, part_list *parts);
 void parse_parts_end(pov_reader *in, part_list *parts, object_parsed *o);
 /* A leaf's texture that has parts: theirs, and its own. map, moves: its transformations, and how many of them came
@@ -113,8 +120,10 @@ void parse_parts_surface(pov_reader *in, const object_parsed *o, const transform
 uint32_t parse_part_texture(pov_reader *in);
 /* The same of the content of its block, up to the end, which is not taken. */
 uint32_t parse_part_content(pov_reader *in, int end);
-/* The same of texture { } or of pigment, normal and finish without it. False: none is next. */
-bool parse_component_texture(pov_reader *in, uint32_t *out);
+/* The same of texture { } or of pigment, normal and finish without it, behind those of the same component, as the moves since
+ * have left them. In: POV_OWN_TEXTURE, or what it gave. False: none is next. */
+bool parse_component_texture(pov_reader *in, uint32_t *number);
+void parse_component_move(pov_reader *in, const transform *moves);
 /* What was read of a whole object becomes part of the model. */
 void parse_add_object(pov_reader *in, const object_parsed *o);
 void parse_light(pov_reader *in, object_parsed *out);

@@ -86,17 +86,37 @@ static bool read_part(pov_reader *in, surface_parsed *s)
     }
 }
 
-bool parse_component_texture(pov_reader *in, uint32_t *out)
+bool parse_component_texture(pov_reader *in, uint32_t *number)
 {
-    surface_parsed s;
+    part_list *parts = in->parts;
+    bool read = false;
 
-    parse_surface_begin(in, &s);
-    if (in->failed || !read_part(in, &s))
+    if (in->failed || !parts)
         return false;
-    while (!in->failed && read_part(in, &s))
-        continue;
-    *out = number_of(in, &s);
-    return true;
+    if (*number == POV_OWN_TEXTURE) {
+        parse_surface_begin(in, &parts->component);
+        parts->textured = parts->stale = false;
+        parts->before = parts->count;
+    }
+    while (!in->failed && read_part(in, &parts->component))
+        read = true;
+    parts->textured |= read;
+    if (read || parts->stale) {
+        parts->count = parts->before;
+        *number = number_of(in, &parts->component);
+    }
+    parts->stale = false;
+    return read;
+}
+
+void parse_component_move(pov_reader *in, const transform *moves)
+{
+    part_list *parts = in->parts;
+
+    if (in->failed || !parts || !parts->textured)
+        return;
+    parse_surface_move(in, &parts->component, moves);
+    parts->stale = true;
 }
 
 /* The own texture was written behind the first of the transformations, those of the parts before all of them. */

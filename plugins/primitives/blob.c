@@ -24,7 +24,7 @@ typedef struct blob {
     uint32_t count, capacity;
     component *at;
     double threshold;
-    bool textured;
+    bool textured, written;      /* any component, be its radius 0 */
     common_boxed boxed;
     common_runs runs;
     pov_box box;                 /* around all that is inside, scaled */
@@ -106,6 +106,7 @@ static void add(blob *b, const pov_host *host, pov_reader *in, const written *w,
 {
     component *c = w->radius > 0.0 ? append(b, host, in) : NULL;
 
+    b->written = true;
     if (!c)
         return;
     c->strength = strength;
@@ -117,18 +118,11 @@ static void add(blob *b, const pov_host *host, pov_reader *in, const written *w,
     find_box(c, w);
 }
 
-static double read_strength(const pov_host *host, pov_reader *in)
-{
-    host->accept(in, ",");
-    host->accept(in, "strength");
-    return host->more(in) ? host->number(in) : 1.0;
-}
-
 static void read_component(blob *b, const pov_host *host, pov_reader *in, bool is_cylinder)
 {
     uint32_t texture = POV_OWN_TEXTURE;
     double strength;
-    bool read = true;
+    bool read;
     written w;
 
     memset(&w, 0, sizeof w);
@@ -138,16 +132,21 @@ static void read_component(blob *b, const pov_host *host, pov_reader *in, bool i
     w.to = w.from;
     if (is_cylinder) {
         host->vector(in, &w.to);
+        if (!(pov_largest(pov_sub(w.to, w.from)) > 0.0))
+            host->fail(in, "a cylinder of a blob needs two different ends");
         host->accept(in, ",");
     }
     w.radius = fabs(host->number(in));
-    strength = read_strength(host, in);
-    while (read) {
-        read = host->transform && host->transform(in, &w.map);
-        w.moved |= read;
-        if (host->component_texture && host->component_texture(in, &texture))
-            read = true;
-    }
+    host->accept(in, ",");
+    host->accept(in, "strength");
+    strength = host->number(in);
+    do {
+        const bool looks = host->component_texture && host->component_texture(in, &texture);
+        const bool moves = host->transform && host->transform(in, &w.map);
+
+        w.moved |= moves;
+        read = looks || moves;
+    } while (read);
     host->expect(in, "}");
     add(b, host, in, &w, strength, texture);
 }
@@ -262,14 +261,17 @@ static bool may_hold(const void *self, const pov_box *cell)
 static void parse(void *self, const pov_host *host, pov_reader *in)
 {
     enum { FEW = 64 };           /* where there are more components, to look for the box would take too long */
+    const written nothing = { .radius = 1.0 };
     blob *b = self;
     pov_box whole;
 
     b->threshold = 1.0;
     while (read_item(b, host, in))
         continue;
+    if (b->count == 0 && b->written)
+        add(b, host, in, &nothing, 0.0, POV_OWN_TEXTURE);
     if (b->count == 0) {
-        host->fail(in, "a blob needs at least one component with a radius");
+        host->fail(in, "a blob needs at least one component");
         return;
     }
     b->runs.count = b->count;

@@ -83,6 +83,19 @@ static void components_of_a_blob_share_by_their_parts_of_the_field(void **state)
                "sphere { <0,-.3,0>, 1, .5 pigment { rgb z }" LIT "} }", 0.5784, 0.5662);
 }
 
+#define STEEP "pigment { gradient x color_map { [0 rgb 0] [1 rgb 1] } }"
+
+/* As that of an object: what stands behind its texture moves it, what stands before does not. */
+static void transformations_of_a_component_move_its_texture(void **state)
+{
+    (void)state;
+    assert_red("blob { threshold .3 sphere { 0, 1, 1 " STEEP LIT "translate -.25*x } }", 0.25, 0.25);
+    assert_red("blob { threshold .3 sphere { 0, 1, 1 translate .25*x " STEEP LIT "translate -.5*x scale <.8,1,1> } }", 0.5, 0.5);
+    assert_red("blob { threshold .3 sphere { 0, 1, 1 " STEEP "translate -.25*x" LIT "translate -.25*x } }", 0.5, 0.5);
+    assert_red("blob { threshold .3 sphere { 5, 1, 1 " STEEP LIT "translate .1*x } sphere { 0, 1, 1 scale 1.1 " STEEP LIT "translate -.25*x } }", 0.25, 0.25);
+    assert_red("blob { threshold .3 sphere { 0, 1, 1 " STEEP LIT "translate -.25*x } translate -.125*x }", 0.375, 0.375);
+}
+
 /* What a pigment inside of a pattern asks of the surface is there. */
 static void inner_pigments_know_where_the_surface_is_seen_from(void **state)
 {
@@ -109,6 +122,7 @@ int main(void)
         cmocka_unit_test(members_that_a_list_does_not_give_are_the_defaults),
         cmocka_unit_test(objects_of_patterns_are_moved_in_their_block),
         cmocka_unit_test(components_of_a_blob_share_by_their_parts_of_the_field),
+        cmocka_unit_test(transformations_of_a_component_move_its_texture),
         cmocka_unit_test(inner_pigments_know_where_the_surface_is_seen_from),
         cmocka_unit_test(bumps_turn_with_the_blend_that_they_are_in),
     };

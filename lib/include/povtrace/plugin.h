@@ -113,8 +113,8 @@ typedef struct pov_host {
     const pov_function *(*function)(pov_reader *in, uint32_t n);
     /* A transformation behind those of `map`, if one is next. All zero, the map is that of no transformation. */
     bool (*transform)(pov_reader *in, pov_affine *map);
-    /* As texture(), of a component that has a texture { }, or a pigment, normal and finish alone; if one of these is next. */
-    bool (*component_texture)(pov_reader *in, uint32_t *out);
+    /* As texture(), or pigment, normal and finish alone, if next. Again behind each transform(), which moves it. At first POV_OWN_TEXTURE. */
+    bool (*component_texture)(pov_reader *in, uint32_t *number);
     /* Bounds of what function() gave. NULL: of some part nothing is known between points, as of noise, patterns and images. */
     const pov_function_bounds *(*function_bounds)(pov_reader *in, const pov_function *f);
 } pov_host;
