@@ -152,11 +152,9 @@ static bool is_like_last(const shade_context *c, const surfaces *s, uint32_t lan
            dielectric_are_alike(&c->dielectrics, a->from->inside, b->from->inside);
 }
 
-static void put_angle(const shade_context *c, reflectances *m, surfaces *s, uint32_t i, uint32_t lane)
+static void put_ratio(const shade_context *c, reflectances *m, surfaces *s, uint32_t i, uint32_t lane)
 {
-    m->of[i] = (uint8_t)lane;
-    m->cosine[i] = s->geometry.cosine[lane];
-    if (!m->has_fresnel || !s->at[lane].appearance->fresnel)
+    if (!s->at[lane].appearance->fresnel)
         return;
     if (is_like_last(c, s, lane)) {
         m->ratio[i] = m->ratio[i - 1];
@@ -185,20 +183,24 @@ static bool begin_alike(reflectances *m, const surfaces *s)
     return same;
 }
 
-/* Surfaces whose reflection depends on the angle. */
-static void begin(const shade_context *c, reflectances *m, surfaces *s)
+/* Surfaces whose reflection depends on the angle. True: all, and they are of one appearance. */
+static bool begin(const shade_context *c, reflectances *m, surfaces *s)
 {
-    if (begin_alike(m, s)) {
-        for (uint32_t i = 0; i < s->count; i++)
-            put_angle(c, m, s, i, i);
-        return;
-    }
-    for (uint32_t i = 0; i < s->count; i++) {
+    const bool same = begin_alike(m, s);
+
+    if (same)
+        memcpy(m->cosine, s->geometry.cosine, s->count * sizeof m->cosine[0]);
+    for (uint32_t i = 0; same && m->has_fresnel && i < s->count; i++)
+        put_ratio(c, m, s, i, i);
+    for (uint32_t i = 0; !same && i < s->count; i++) {
         if (!s->at[i].appearance->angular)
             continue;
         put_constants(m, m->count, s->at[i].appearance);
-        put_angle(c, m, s, m->count++, i);
+        m->of[m->count] = (uint8_t)i;
+        m->cosine[m->count] = s->geometry.cosine[i];
+        put_ratio(c, m, s, m->count++, i);
     }
+    return same;
 }
 
 /* through: the factor of the filter. */
@@ -233,16 +235,62 @@ static void fade_all(const shade_context *c, surfaces *s)
     }
 }
 
+/* Filters of one appearance, and their weights, side by side. */
+typedef struct SIMD_ALIGNED filters { float by[3][BATCH_MAX], weight[BATCH_MAX], luminance[BATCH_MAX]; } filters;
+
+SIMD_CLONES static void find_filters(const reflectances *restrict m, colour own, bool conserves, float through, uint32_t n, filters *restrict out)
+{
+    for (uint32_t i = 0; i < n; i++) {
+        const colour left = colour_of(1.0f - m->by[0][i], 1.0f - m->by[1][i], 1.0f - m->by[2][i]);
+        const colour by = colour_scale(colour_mul(own, conserves ? left : colour_of(1.0f, 1.0f, 1.0f)), through);
+
+        out->by[0][i] = by.r;
+        out->by[1][i] = by.g;
+        out->by[2][i] = by.b;
+        out->weight[i] = colour_weight(by);
+        out->luminance[i] = fabsf(colour_luminance(by));
+    }
+}
+
+/* All surfaces, which have this appearance. */
+static void set_alike(const model *m, surfaces *s, const appearance *a, float through)
+{
+    const reflectances *r = &s->reflectances;
+    const bool conserves = a->finish->conserve_energy, changes = conserves || through != 1.0f;
+    const float least = m->opaque_dark_filters ? (float)m->adc_bailout : -1.0f;
+    filters f;
+
+    for (uint32_t i = 0; i < r->count; i++) {
+        const coefficient mirrored = { colour_at(r, i), r->weight[i] };
+
+        s->onward[i] = a->onward;
+        s->onward[i].reflection = mirrored;
+    }
+    if (!changes)
+        return;
+    find_filters(r, a->onward.filter.by, conserves, through, r->count, &f);
+    for (uint32_t i = 0; i < r->count; i++) {
+        const coefficient filter = { colour_of(f.by[0][i], f.by[1][i], f.by[2][i]), f.weight[i] };
+
+        s->onward[i].filter = filter;
+        s->onward[i].dark = f.luminance[i] < least;
+    }
+}
+
 /* layered: the filter's factor is that of a whole stack. */
 static void set_all(const shade_context *c, surfaces *s, bool layered)
 {
     reflectances *m = &s->reflectances;
+    const bool same = begin(c, m, s);
 
-    begin(c, m, s);
     find_all(m, c->scene->model);
+    if (same && m->held->finish->irid.amount == 0.0f) {
+        set_alike(c->scene->model, s, m->held, layered ? 1.0f : m->held->finish->refraction);
+        return;
+    }
     for (uint32_t k = 0; k < m->count; k++) {
         const coefficient mirrored = { colour_at(m, k), m->weight[k] };
-        const uint32_t i = m->of[k];
+        const uint32_t i = same ? k : m->of[k];
 
         set(c, s, i, mirrored, layered ? 1.0f : s->at[i].appearance->finish->refraction);
     }
