@@ -289,6 +289,13 @@ static bool join(const shading *scene, surfaces *s, painted *p, bool *stacks)
     return joined;
 }
 
+/* There are no terms. */
+static void begin_none(const surfaces *s, painted *p)
+{
+    memset(p->first, 0, (s->count + 1) * sizeof p->first[0]);
+    p->merged = 0;
+}
+
 /* Surfaces of one pigment need no terms: their normals alone are bent. False: they are not all of one such material. */
 static bool find_normals_alike(const shading *scene, surfaces *s, painted *p)
 {
@@ -304,10 +311,19 @@ static bool find_normals_alike(const shading *scene, surfaces *s, painted *p)
     s->geometry.bent = g.points.normal;
     normal_eval(scene->model, of->normal, NULL, &g.points, g.count, &s->geometry.bent);
     s->geometry.shading = &s->geometry.bent;
-    for (uint32_t i = 0; i <= s->count; i++)
-        p->first[i] = 0;
-    p->merged = 0;
+    begin_none(s, p);
     return true;
+}
+
+/* Are all surfaces of one appearance that is the same everywhere? */
+static bool is_one(const surfaces *s)
+{
+    const appearance *first = s->count > 0 ? s->at[0].appearance : NULL;
+    bool same = first && (first->stack ? first->stack->flat : !first->varies);
+
+    for (uint32_t i = 1; same && i < s->count; i++)
+        same = s->at[i].appearance == first;
+    return same;
 }
 
 paint_kind paint_evaluate(const shading *scene, surfaces *s, painted *p)
@@ -315,6 +331,10 @@ paint_kind paint_evaluate(const shading *scene, surfaces *s, painted *p)
     bool stacks = false, single = true;
     uint32_t count;
 
+    if (is_one(s)) {
+        begin_none(s, p);
+        return s->at[0].appearance->stack && scene->most_terms > 1 ? PAINT_STACKS : PAINT_SINGLE;
+    }
     if (find_normals_alike(scene, s, p))
         return PAINT_SINGLE;
     count = evaluate(scene, s, p);
@@ -373,7 +393,7 @@ void paint_surfaces(const shading *scene, surfaces *s, const painted *p)
     const appearance *of = NULL;
     uint64_t bent = 0;
 
-    for (uint32_t i = 0; i < s->count; i++) {
+    for (uint32_t i = 0; p->first[s->count] > 0 && i < s->count; i++) {
         const texture_term *t = term_of(p, i);
         const material *own = s->at[i].appearance->material;
         appearance *out = &s->varying[i];
