@@ -83,19 +83,13 @@ static bool arrive(lighting *l, const scene_light *from, light_sample *s, light_
     return grazing && !sided;
 }
 
-/* Reflect it, and collect the rays to the light. */
 static void reflect(lighting *l, const scene_light *from, const finishes *f, light_sample *s, const light_lanes *in)
 {
-    shade_context *c = l->context;
     const uint32_t n = lanes_whole(l->on->count);
-    uint32_t front;
 
-    brdf_reflect(f, c->scene->model, s, in, l->glossy && !(from->light->flags & LIGHT_SHADOWLESS), n);
+    brdf_reflect(f, l->context->scene->model, s, in, l->glossy && !(from->light->flags & LIGHT_SHADOWLESS), n);
     if (from->grid && (from->light->flags & LIGHT_AREA_ILLUMINATION))
         area_reflect(l, from, s, in, n);
-    front = aim(l, f, s, &in->dir);
-    c->counts.shadow_behind += f->count - front;
-    c->counts.shadow_idle += front - l->count;
 }
 
 /* Add the light of one source to the lit surfaces. */
@@ -104,12 +98,16 @@ static void add_light_source(lighting *l, const scene_light *from)
     shade_context *c = l->context;
     light_sample s;
     light_lanes in;
+    uint32_t front;
     bool named;
 
     if (l->photons)
         photons_aim(c, (size_t)(from - c->scene->lights));
     named = arrive(l, from, &s, &in);
     reflect(l, from, &l->finishes, &s, &in);
+    front = aim(l, &l->finishes, &s, &in.dir);
+    c->counts.shadow_behind += l->finishes.count - front;
+    c->counts.shadow_idle += front - l->count;
     if (l->count > 0)
         add_visible(l, from, &s, &in);
     if (named)
@@ -299,21 +297,33 @@ void light_gather(lighting *l, shade_context *c, surfaces *on)
 /* What is known of the rays to one light, by lane: those that were asked, those not occluded, and what they leave of it. */
 typedef struct known_rays { uint64_t asked, open; colour through[BATCH_MAX]; } known_rays;
 
-/* Ask those that were not. */
+/* Collect rays from surfaces whose layer reflects any of the light, but for those that were asked. */
+static void aim_others(lighting *l, const finishes *f, const light_sample *s, const vec_lanes *dir, known_rays *known)
+{
+    uint32_t front = 0, contributing = 0;
+
+    l->count = 0;
+    for (uint32_t k = 0; k < f->count; k++) {
+        const uint32_t i = f->lit[k];
+
+        front += s->front[i];
+        contributing += s->contributes[i];
+        if (!s->contributes[i] || (known->asked >> i & 1))
+            continue;
+        known->asked |= (uint64_t)1 << i;
+        l->own[i].dir = lanes_at(dir, i);
+        l->rays[l->count] = &l->own[i];
+        l->of[l->count++] = (uint8_t)i;
+    }
+    l->context->counts.shadow_behind += f->count - front;
+    l->context->counts.shadow_idle += front - contributing;
+}
+
 static void ask(lighting *l, const scene_light *from, const light_lanes *in, known_rays *known)
 {
     colour through[BATCH_MAX];
-    uint32_t n = 0;
 
-    for (uint32_t i = 0; i < l->count; i++) {
-        l->rays[n] = l->rays[i];
-        l->of[n] = l->of[i];
-        n += !(known->asked >> l->of[i] & 1);
-    }
-    l->count = n;
-    for (uint32_t i = 0; i < n; i++)
-        known->asked |= (uint64_t)1 << l->of[i];
-    for (uint64_t lit = n > 0 ? trace(l, from, in, through) : 0; lit; lit &= lit - 1) {
+    for (uint64_t lit = l->count > 0 ? trace(l, from, in, through) : 0; lit; lit &= lit - 1) {
         const uint32_t lane = l->of[first_of64(lit)];
 
         known->through[lane] = through[first_of64(lit)];
@@ -333,6 +343,7 @@ static void add_to_layers(lighting *l, const scene_light *from, lit_stacks *to)
         const finishes *f = &to->finishes[k];
 
         reflect(l, from, f, &s, &in);
+        aim_others(l, f, &s, &in.dir, &known);
         if (!free)
             ask(l, from, &in, &known);
         for (uint32_t i = 0; i < f->count; i++) {
@@ -354,6 +365,7 @@ static void add_to_layers(lighting *l, const scene_light *from, lit_stacks *to)
 /* The surfaces of which some layer is lit. */
 static void begin_stacks(lighting *l, shade_context *c, surfaces *on, lit_stacks *out)
 {
+    const appearance *last = NULL;
     uint64_t lit = 0;
 
     l->context = c;
@@ -361,9 +373,13 @@ static void begin_stacks(lighting *l, shade_context *c, surfaces *on, lit_stacks
     l->glossy = true;
     l->finishes.kinds = l->finishes.count = 0;
     out->levels = 1;
-    for (uint32_t i = 0; i < on->count; i++)
-        if (on->at[i].appearance->stack && on->at[i].appearance->stack->count > out->levels)
-            out->levels = on->at[i].appearance->stack->count;
+    for (uint32_t i = 0; i < on->count; i++) {
+        const appearance *a = on->at[i].appearance;
+
+        if (a != last && a->stack && a->stack->count > out->levels)
+            out->levels = a->stack->count;
+        last = a;
+    }
     for (uint32_t k = 0; k < out->levels; k++) {
         finishes *f = &out->finishes[k];
 
