@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
-"""Error against processor time of povc and POV-Ray where light goes further: radiosity, media, photons.
+"""Error against processor time of povc and POV-Ray where light goes further: radiosity, media, photons; and through a lens.
 
 Each scene of tests/bench/light is drawn by both programs at several settings, in turn, one thread, and held against a long
 run of each. Printed and written are the least processor time of the rounds, the rms error against the program's own long
-run, and that against the other's, over the pixels around which one object is seen. One sample a pixel goes through its
+run, and that against the other's, over the pixels around which one object is seen (of the lens: over all). One sample a pixel goes through its
 centre: where shadows have sharp edges such pictures are held against long runs through the centres. Last, how many times as
-long POV-Ray takes to an error of 0.01, by a straight line between its points in logarithms; inf: none of its pictures came there."""
+long POV-Ray takes to an error of 0.01 (of the lens 0.003), by a straight line between its points in logarithms; inf: none of its pictures came there."""
 import argparse
 import csv
 import math
@@ -21,18 +21,21 @@ HERE = Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE.parent / 'compare'))
 import images  # noqa: E402
 
-# Scene: settings of POV-Ray from coarse to fine, and of its long run; samples of povc, and of its own; and how many pictures
-# through the centres make one of povc's, or 0. What a scene asks for is what POV-Ray needs for an error of about 0.01.
+# Scene: settings of POV-Ray from coarse to fine, and of its long run; samples of povc, or errors asked for, and of its own; and how many
+# pictures through the centres make one of povc's, or 0. What a scene asks for is what POV-Ray needs for an error of about 0.01.
 SCENES = {
     'cornell': ([{'Count': c, 'Bound': b} for c, b in ((35, 1.8), (100, 1.2), (200, .8), (300, .5), (400, .3))],
                 {'Count': 1000, 'Bound': .15}, (1, 2, 4, 8, 16), 64, 0),
     'fog': ([{'Method': 3, 'Samples': 10}] + [{'Method': 2, 'Samples': s} for s in (3, 5, 6, 10, 20, 40)],
             {'Method': 2, 'Samples': 400}, (1, 2, 4, 8, 16, 32), 1024, 64),
+    'lens': ([{'Blur': b, 'Least': v} for b, v in ((20, .001), (50, .001), (100, .001), (100, .0003), (200, .0003), (37, 0))],
+             {'Blur': 400, 'Least': 0}, (4, 8, 16, 32, .01, .003, .0025, .002), 1024, 0),
     'caustic': ([{'Spacing': s} for s in (.02, .01, .005, .0025)], {'Spacing': .001}, (1, 2, 4, 8, 16), 1024, 0),
 }
 # POV-Ray's long run has 9 samples a pixel, as sharp edges of light need them.
 FINE = ('+A0.0', '+AM1', '+R3', '-J')
-AIM = 0.01
+AIM = {'lens': 0.003}
+BLURRED = ('lens',)
 
 
 def arguments():
@@ -66,8 +69,8 @@ def draw_povray(options, scene, setting, output, *more):
 
 
 def draw_povc(options, scene, samples, output, *more):
-    return run([options.povc, f'{HERE}/light/{scene}.pov', '-s', options.size, '-o', output, '--spp', str(samples),
-                '--sampling', 'uniform', '-t', '1', '-q', *more])
+    sampling = ['--spp', samples, '--sampling', 'uniform'] if isinstance(samples, int) else ['--error', samples]
+    return run([options.povc, f'{HERE}/light/{scene}.pov', '-s', options.size, '-o', output, *map(str, sampling), '-t', '1', '-q', *more])
 
 
 def picture(path):
@@ -114,9 +117,11 @@ def long_runs(options, scene):
     _, fine, _, most, count = SCENES[scene]
     names = [options.work / f'light-{scene}-{options.size}-{word}'
              for word in ('povray.png', 'povc.pfm', 'objects.pfm', 'povray-centre.png', 'povc-centre.npy')]
-    theirs = picture(kept(names[0], lambda part: draw_povray(options, scene, fine, part, *FINE)))
+    theirs = picture(kept(names[0], lambda part: draw_povray(options, scene, fine, part, *(() if scene in BLURRED else FINE))))
     ours = picture(kept(names[1], lambda part: draw_povc(options, scene, most, part, '--seed', '777', '--aov', 'object', names[2])))
     whole = {'POV-Ray': theirs, 'povc': ours}
+    if scene in BLURRED:
+        return whole, whole, numpy.ones(theirs.shape[:2], bool)
     if not count:
         return whole, whole, inner(images.read_pfm(names[2]))
     theirs = picture(kept(names[3], lambda part: draw_povray(options, scene, fine, part)))
@@ -130,7 +135,7 @@ def measure(options, scene):
     print(f'{scene}: of {of.mean():.2f} of the pixels the long runs are {rms(*whole.values(), of):.5f} apart, '
           f'those of the centres {rms(*centre.values(), of):.5f}', flush=True)
     jobs = [('POV-Ray', ' '.join(map(str, s.values())), draw_povray, s, '.png', centre) for s in settings]
-    jobs += [('povc', f'{n} a pixel', draw_povc, n, '.pfm', centre if n == 1 else whole) for n in counts]
+    jobs += [('povc', f'{n} a pixel' if isinstance(n, int) else f'--error {n}', draw_povc, n, '.pfm', centre if n == 1 else whole) for n in counts]
     rows = [{'scene': scene, 'program': job[0], 'setting': job[1], 'seconds': math.inf} for job in jobs]
     for _ in range(options.rounds):
         for row, (program, _, draw, setting, ending, truth) in zip(rows, jobs):
@@ -143,16 +148,16 @@ def measure(options, scene):
     return rows
 
 
-def time_to(rows, program, column):
+def time_to(rows, program, column, aim):
     """Seconds to the error that is aimed at: of the first picture below it, or between that and the one before."""
     line = sorted((row['seconds'], row[column]) for row in rows if row['program'] == program)
     for k, (t, f) in enumerate(line):
-        if f >= AIM:
+        if f >= aim:
             continue
         if k == 0:
             return t
         s, e = line[k - 1]
-        return s * (t / s) ** (math.log(e / AIM) / math.log(e / f))
+        return s * (t / s) ** (math.log(e / aim) / math.log(e / f))
     return math.inf
 
 
@@ -161,13 +166,13 @@ def main():
     options.work.mkdir(parents=True, exist_ok=True)
     rows, panels = [], []
     for scene in options.scenes:
-        some = measure(options, scene)
+        some, aim = measure(options, scene), AIM.get(scene, 0.01)
         for row in some:
             print(f'{row["program"]:8} {row["setting"]:12} {row["seconds"]:7.3f} s   rms {row["own"]:.5f} of its own,'
                   f' {row["other"]:.5f} of the other\'s long run', flush=True)
         for column in ('own', 'other'):
-            both = [time_to(some, program, column) for program in ('POV-Ray', 'povc')]
-            print(f'{scene}: to {AIM} of {"each its own" if column == "own" else "the other"}: POV-Ray {both[0]:.3f} s, povc {both[1]:.3f} s,'
+            both = [time_to(some, program, column, aim) for program in ('POV-Ray', 'povc')]
+            print(f'{scene}: to {aim} of {"each its own" if column == "own" else "the other"}: POV-Ray {both[0]:.3f} s, povc {both[1]:.3f} s,'
                   f' {both[0] / both[1]:.2f} times', flush=True)
         panels.append((scene, [(name, [(row['seconds'], row['own']) for row in some if row['program'] == name])
                                for name in ('POV-Ray', 'povc')]))
