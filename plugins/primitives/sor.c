@@ -383,14 +383,20 @@ COMMON_ROUND_CLASS(sor, cross, first, narrow, normal_at)
 
 static bool open(const void *self) { return ((const sor *)self)->open; }
 
+/* Caps go on from their rims, by 1 to the axis, as in POV-Ray. */
 static void uv(const void *self, pov_vec3 point, const pov_mark *mark, double out[2])
 {
     const sor *s = self;
-    const uint32_t i = mark->feature == LOW_CAP ? 0 : mark->feature == HIGH_CAP ? s->count - 1 : mark->feature;
-    const double y = (point.y - s->boxed.anchor.y.hi) * s->boxed.scale;
+    const uint32_t i = mark->feature;
+    const double y = (point.y - s->boxed.anchor.y.hi) * s->boxed.scale, r = sqrt(point.x * point.x + point.z * point.z) * s->boxed.scale;
 
     out[0] = common_whole_turn(point.z, point.x);
-    out[1] = (i + (y - s->at[i].low) / (s->at[i].high - s->at[i].low)) / s->count;
+    if (i == LOW_CAP)
+        out[1] = r / sqrt(s->at[0].square[0]) - 1.0;
+    else if (i == HIGH_CAP)
+        out[1] = 2.0 - r / sqrt(s->at[s->count - 1].square[3]);
+    else
+        out[1] = (i + (y - s->at[i].low) / (s->at[i].high - s->at[i].low)) / s->count;
 }
 
 static const pov_shape_class sor_class = {

@@ -89,6 +89,27 @@ static void steps_of_fractals_may_begin_again(void **state)
         assert_seen(&seen[i]);
 }
 
+/* v of a sor's caps goes on from 0 and 1 at their rims to -1 and 2 on the axis. */
+static void caps_of_a_sor_go_on_from_their_rims(void **state)
+{
+    static const double places[][3] = { { 0.35, 10.0, 1.5 }, { 0.6, 10.0, 2.0 - 0.6 / 0.7 }, { 0.1, -10.0, -0.75 }, { 0.3, -10.0, -0.25 } };
+
+    (void)state;
+    for (size_t i = 0; i < sizeof places / sizeof places[0]; i++) {
+        char text[512];
+        float *picture;
+
+        snprintf(text, sizeof text, "#version 3.7; global_settings { assumed_gamma 1 }\n"
+                 "camera { orthographic location <%g, %g, 0> direction <0, %g, 0> right .001*x up .001*z }\n"
+                 "sor { 4 <.3, -1> <.4, -.7> <.7, 0> <.5, .6> uv_mapping pigment { gradient y color_map { [0 rgb 0] [1 rgb 1] } scale 8 "
+                 "translate -4*y } finish { ambient 1 diffuse 0 } }\n", places[i][0], places[i][1], -places[i][1]);
+        picture = scenes_draw(text, 1, 1, 1, 1);
+        if (fabs(8.0 * (double)picture[0] - 4.0 - places[i][2]) > 1e-3)
+            fail_msg("%f instead of %f", 8.0 * (double)picture[0] - 4.0, places[i][2]);
+        free(picture);
+    }
+}
+
 static float *seen_of(const char *pattern, const char *shape)
 {
     char text[1024];
@@ -216,6 +237,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(functions_repeat_with_a_period_of_one),
+        cmocka_unit_test(caps_of_a_sor_go_on_from_their_rims),
         cmocka_unit_test(steps_of_fractals_may_begin_again),
         cmocka_unit_test(the_lengths_of_both_vectors_are_their_weights),
         cmocka_unit_test(light_through_slopes_is_filtered_by_its_own_ray),
