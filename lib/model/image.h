@@ -32,6 +32,7 @@ typedef struct image_map {
     image_interpolation interpolation;
     bool once;
     bool use_index, use_alpha;
+    bool premultiplied;          /* decoded colours are times their alpha, and divided by it */
     const float *decoded;        /* of samples of 8 and 16 bits; NULL: they are what is stored, and floats are decoded already */
     const pigment *palette;      /* decoded; NULL: there is none */
     float filter, transmit;      /* `all`; the first replaces what a pixel has, the second is added to it */

@@ -101,6 +101,11 @@ static void set_alphas(const image_map *map, const image_alphas *a, uint32_t i, 
         out->transmit = a->transmit[i];
 }
 
+static double divisor_of(const image_map *map, const unsigned char *entry)
+{
+    return map->premultiplied && map->image->has_alpha && entry[3] > 0 ? entry[3] : 255.0;
+}
+
 static const pigment *make_palette(pov_reader *in, const image_map *map, const curve *c, const image_alphas *alphas)
 {
     pigment *palette = state_alloc(in, 256 * sizeof *palette, 16);
@@ -108,7 +113,9 @@ static const pigment *make_palette(pov_reader *in, const image_map *map, const c
     for (uint32_t i = 0; palette && i < 256; i++) {
         const unsigned char *from = map->image->palette[i];
 
-        palette[i].color = colour_of(value_of(c, from[0] / 255.0), value_of(c, from[1] / 255.0), value_of(c, from[2] / 255.0));
+        const float by = (float)(255.0 / divisor_of(map, from));
+
+        palette[i].color = colour_of(by * value_of(c, from[0] / 255.0), by * value_of(c, from[1] / 255.0), by * value_of(c, from[2] / 255.0));
         set_alphas(map, alphas, i, &palette[i]);
     }
     return palette;

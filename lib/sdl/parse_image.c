@@ -43,7 +43,7 @@ static void read_switch(pov_reader *in, void *self, keyword_id keyword)
     if (keyword == KEYWORD_ONCE)
         map->once = value_optional(in, 1.0) != 0.0;
     else if (keyword == KEYWORD_PREMULTIPLIED)
-        value_optional(in, 1.0);
+        map->premultiplied = value_optional(in, 1.0) != 0.0;
     else if (keyword == KEYWORD_USE_ALPHA)
         map->use_alpha = true;
     else

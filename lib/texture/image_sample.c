@@ -82,6 +82,16 @@ static float alpha(const image *of, const unsigned char *at)
     return real;
 }
 
+/* Colours of premultiplied images are divided once they are decoded, as in POV-Ray. */
+static void divide_by_alpha(colour *c, float by)
+{
+    if (by > 0.0f) {
+        c->r /= by;
+        c->g /= by;
+        c->b /= by;
+    }
+}
+
 static inline pigment colour_of_pixel(const image_map *map, int64_t column, int64_t row)
 {
     const image *of = map->image;
@@ -94,7 +104,14 @@ static inline pigment colour_of_pixel(const image_map *map, int64_t column, int6
     out.color.g = of->channels < 3 ? out.color.r : sample(map, at, 1);
     out.color.b = of->channels < 3 ? out.color.r : sample(map, at, 2);
     out.filter = map->filter;
-    out.transmit = map->transmit + (of->channels % 2 == 0 ? 1.0f - alpha(of, at) : 0.0f);
+    out.transmit = map->transmit;
+    if (of->channels % 2 == 0) {
+        const float opacity = alpha(of, at);
+
+        out.transmit += 1.0f - opacity;
+        if (map->premultiplied)
+            divide_by_alpha(&out.color, opacity);
+    }
     return out;
 }
 

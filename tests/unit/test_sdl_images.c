@@ -124,6 +124,20 @@ static void outside_an_image_that_is_there_once_all_is_clear(void **state)
     end(&b);
 }
 
+static void colours_that_are_times_their_alpha_are_divided_by_it(void **state)
+{
+    bench b;
+    pigment p;
+
+    (void)state;
+    assert_int_equal(read_scene(&b, "pigment { image_map { function 4, 4 { pigment { rgbt <.25, .2, .1, .5> } } premultiplied on } }"), POV_OK);
+    p = colour_at(&b, 0.3, 0.3);
+    assert_float_equal(p.color.r, 0.5, 1e-4);
+    assert_float_equal(p.color.b, 0.2, 1e-4);
+    assert_float_equal(p.transmit, 0.5, 1e-4);
+    end(&b);
+}
+
 static void entries_of_a_palette_have_their_own_transparency(void **state)
 {
     bench b;
@@ -314,6 +328,7 @@ int main(void)
         cmocka_unit_test(what_cannot_be_read_is_refused_with_its_place),
         cmocka_unit_test(a_name_without_its_ending_is_found_and_decoded),
         cmocka_unit_test(outside_an_image_that_is_there_once_all_is_clear),
+        cmocka_unit_test(colours_that_are_times_their_alpha_are_divided_by_it),
         cmocka_unit_test(entries_of_a_palette_have_their_own_transparency),
         cmocka_unit_test(between_pixels_every_method_meets_them),
         cmocka_unit_test(a_function_makes_an_image_of_grey),
