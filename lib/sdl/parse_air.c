@@ -323,7 +323,7 @@ void parse_rainbow(pov_reader *in, void *self, keyword_id keyword)
     (void)keyword;
     if (!r)
         return;
-    if (!(r->distance > 0.0 && r->width > 0.0 && r->count > 0)) {
+    if (!(r->distance > 0.0 && r->width != 0.0 && r->count > 0)) {
         report_warn(in, &at, "a rainbow without a \"width\" and a \"color_map\", or whose \"distance\" is not above 0, is left out");
         return;
     }

@@ -68,9 +68,9 @@ static double arc_share(const rainbow *r, pov_vec3 dir)
     const double inner = 0.5 * r->falloff, outer = 0.5 * r->arc;
     const double u = (around - inner) / (outer - inner);
 
-    if (around <= inner)
-        return 1.0;
-    return around >= outer ? 0.0 : 1.0 - u * u * (3.0 - 2.0 * u);
+    if (around >= outer && outer < 180.0)
+        return 0.0;
+    return around <= inner ? 1.0 : 1.0 - u * u * (3.0 - 2.0 * u);
 }
 
 /* False: the ray misses the bow, which is in the half of the sky that it is directed to. What is behind is filtered as far as

@@ -132,6 +132,14 @@ static void bows_whose_arcs_are_elsewhere_do_not_count(void **state)
     assert_seen("3.7", body, 1.0 - exp(-sqrt(2.0)), 1.0 - exp(-sqrt(2.0)), 1.0 - exp(-sqrt(2.0)));
 }
 
+/* As measured: it is nowhere beyond its arc, whatever the falloff, which is 180 where it is not given. */
+static void a_bow_ends_with_its_arc(void **state)
+{
+    (void)state;
+    assert_seen("3.7", "background { rgb <.9, .7, .5> } rainbow { direction z angle 45 width 20 color_map { [0 rgb <.2, .4, .8>] "
+                "[1 rgb <.2, .4, .8>] } up x arc_angle 90 }", 0.9, 0.7, 0.5);
+}
+
 /* As measured: filter and transmit lie between those of the map's entries, as colours do. */
 static void maps_of_bows_blend_all_components(void **state)
 {
@@ -181,6 +189,7 @@ int main(void)
         cmocka_unit_test(a_background_lets_nothing_through_before_version_3_7),
         cmocka_unit_test(a_solid_that_is_not_seen_holds_no_fog_up),
         cmocka_unit_test(maps_of_bows_blend_all_components),
+        cmocka_unit_test(a_bow_ends_with_its_arc),
         cmocka_unit_test(bows_whose_arcs_are_elsewhere_do_not_count),
         cmocka_unit_test(rainbows_filter_and_end_at_a_right_angle),
         cmocka_unit_test(a_way_across_what_is_not_seen_is_one),
