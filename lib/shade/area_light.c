@@ -206,14 +206,17 @@ static void find_incident(const scene_light *from, uint32_t k, const light_point
     }
 }
 
+/* Films are those of the light's middle, as in POV-Ray. */
 void area_reflect(lighting *l, const scene_light *from, light_sample *s, const light_lanes *middle, uint32_t n)
 {
     const bool highlights = l->glossy && !(from->light->flags & LIGHT_SHADOWLESS);
     const light_points at = lighting_points(l);
     const float share = 1.0f / (float)from->grid->count;
+    const uint32_t kinds = l->finishes.kinds;
     light_lanes in = *middle;
     light_sample one;
 
+    l->finishes.kinds = kinds & ~(uint32_t)FINISH_IRID;
     for (uint32_t i = 0; i < n; i++)
         s->red[i] = s->green[i] = s->blue[i] = 0.0f;
     for (uint32_t k = 0; k < from->grid->count; k++) {
@@ -226,6 +229,9 @@ void area_reflect(lighting *l, const scene_light *from, light_sample *s, const l
             s->blue[i] += one.front[i] ? share * one.blue[i] : 0.0f;
         }
     }
+    l->finishes.kinds = kinds;
+    if (kinds & FINISH_IRID)
+        brdf_films(&l->finishes, l->context->scene->model, s, n);
     for (uint32_t i = 0; i < n; i++)
         s->front[i] = s->contributes[i] = !colour_is_black(brdf_at(s, i));
 }

@@ -54,6 +54,8 @@ bool brdf_cosines(light_sample *s, const geometry *g, const vec_lanes *dir, uint
 void brdf_reflect(const finishes *f, const model *m, light_sample *s, const light_lanes *in, bool glossy, uint32_t n);
 /* The same where some finish has more than diffuse light and phong. */
 void brdf_reflect_rich(const finishes *f, const model *m, light_sample *s, const light_lanes *in, bool glossy, uint32_t n);
+/* What films of some finishes make of the light that was reflected. */
+void brdf_films(const finishes *f, const model *m, light_sample *s, uint32_t n);
 
 static inline colour brdf_at(const light_sample *s, uint32_t i) { return colour_of(s->red[i], s->green[i], s->blue[i]); }
 

@@ -287,6 +287,11 @@ SIMD_CLONES static void find_contributions(light_sample *restrict s, const float
     }
 }
 
+void brdf_films(const finishes *f, const model *m, light_sample *s, uint32_t n)
+{
+    films(s, &f->rich, f->on->geometry.cosine, m->irid_wavelength, n);
+}
+
 void brdf_reflect_rich(const finishes *f, const model *m, light_sample *s, const light_lanes *in, bool glossy, uint32_t n)
 {
     const float *back = f->kinds ? f->rich.back_weight : no_back;   /* only these kinds are kept in lanes */
@@ -298,6 +303,6 @@ void brdf_reflect_rich(const finishes *f, const model *m, light_sample *s, const
         highlights(&p, f, m, s, &in->dir, n);
     sum(s, &p, f, in, n);
     if (f->kinds & FINISH_IRID)
-        films(s, &f->rich, f->on->geometry.cosine, m->irid_wavelength, n);
+        brdf_films(f, m, s, n);
     find_contributions(s, back, n);
 }

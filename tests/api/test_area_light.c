@@ -166,6 +166,25 @@ static void parallel_spotlights_shine_ahead(void **state)
     assert_true(floor_at("-5, 0, 0", "spotlight parallel shadowless") > 0.7);
 }
 
+/* With area_illumination light comes from each point, but a film is that of the light's middle, as measured. */
+static void films_are_those_of_the_middle(void **state)
+{
+    static const double waves[3] = { 0.7, 0.52, 0.48 };
+    const double mean = 2.0 / sqrt(6.0);
+    float *picture = scenes_draw("#version 3.7; global_settings { assumed_gamma 1 } camera { orthographic location -9*z right .001*x up .001*y }\n"
+                                 "light_source { -2*z rgb 1 area_light 2*x, 2*y, 2, 2 area_illumination }\n"
+                                 "plane { -z, 0 pigment { rgb 1 } finish { ambient 0 diffuse .5 irid { .8 thickness .4 } } }\n", 1, 1, 1, 1);
+    (void)state;
+
+    for (int c = 0; c < 3; c++) {
+        const double wanted = 0.5 * mean * (1.0 + 0.8 * cos(2.0 * 3.14159265358979323846 * 0.4 * 2.0 / waves[c]));
+
+        if (fabs((double)picture[c] - wanted) > 1e-4)
+            fail_msg("%f, not %f", (double)picture[c], wanted);
+    }
+    free(picture);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -176,6 +195,7 @@ int main(void)
         cmocka_unit_test(glass_and_what_casts_no_shadow),
         cmocka_unit_test(a_room_with_the_light_in_it),
         cmocka_unit_test(parallel_spotlights_shine_ahead),
+        cmocka_unit_test(films_are_those_of_the_middle),
         cmocka_unit_test(each_point_of_a_parallel_light_has_a_direction_of_its_own),
         cmocka_unit_test(a_ceiling_does_not_hide_the_light_on_it),
     };
