@@ -68,7 +68,7 @@ typedef struct csg_chords {
 } csg_chords;
 
 /* What the surfaces of few members are, about, side by side: csg_outline.c. */
-enum { CSG_COLUMNS = 16 };
+enum { CSG_COLUMNS = 16, CSG_TABLE_COLUMNS = 6 };
 
 /* A quadric whose square part is `all` (x . x) + of_axis (axis . x)^2, of a sphere without the second one. */
 typedef enum csg_turned_kind { CSG_NOT_TURNED, CSG_SPHERE, CSG_TURNED } csg_turned_kind;
@@ -79,13 +79,17 @@ typedef struct csg_outline {
     uint32_t hidden, bare;       /* columns, as bits: they clip; they are quadrics without slabs, of any kind */
     bool endless;                /* the tree has no box: errors are in parts of distances */
     uint8_t *values;             /* of the tree, by the columns that hold a point, as bits, where there are few; or NULL */
+    uint64_t shows[CSG_TABLE_COLUMNS], grows[CSG_TABLE_COLUMNS];   /* then, by column and by the others that hold a point, as the number of
+                                  * a bit: does the value change where the column is crossed, and is it larger within? */
+    uint32_t within;             /* then, of a tree with a box: columns that the tree is within, as bits */
+    bool boxed;                  /* then: behind the columns there is one more, the tree's box, a little wider */
     pov_vec3 centre;             /* of the tree's box; without one, the origin */
     double size, per_size;       /* half of its largest extent, or about that of what the tree has; and the inverse */
     uint32_t slabs, quadrics;    /* filled up to whole vectors */
     uint8_t first_slab[CSG_COLUMNS + 1];     /* by column: the first of its slabs, which stand one behind the other */
     uint32_t round;              /* columns, as bits: they have a quadric, in this order */
     uint8_t quadric[CSG_COLUMNS];            /* by column: which */
-    csg_turned *turned;          /* by quadric; NULL without chords */
+    csg_turned *turned;          /* by quadric; NULL where several rays are not held against it */
     double numbers[];
 } csg_outline;
 
@@ -135,6 +139,8 @@ bool csg_find_bounds(csg_tree *t, const env *e, const csg_source *source);
 void csg_find_chords(csg_tree *t);
 /* Or is it one surface that convex solids clip? */
 void csg_find_clipped(csg_tree *t);
+/* Or is it one of few members in a box, whose crossings outlines may tell? */
+bool csg_is_small(const csg_tree *t);
 /* Once members have instances: which of them are one surface? False: no memory. */
 bool csg_find_same(csg_tree *t, const env *e);
 /* And what do they look like, where they are few? False: no memory. */

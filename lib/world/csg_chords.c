@@ -16,6 +16,7 @@ typedef struct chord_search {
     csg_traversal *w;
     pov_hits found;
     bool unsure;
+    const uint32_t *member;      /* by column */
     uint32_t asked;              /* columns of `few`, as bits */
     double enter[CSG_FEW], leave[CSG_FEW];   /* of their boxes */
     chord of[CSG_FEW];
@@ -97,7 +98,7 @@ static chord *ask(chord_search *s, uint32_t column)
     if (s->asked >> column & 1)
         return c;
     s->asked |= 1u << column;
-    m = &s->w->tree->members[s->w->tree->chords.member[column]];
+    m = &s->w->tree->members[s->member[column]];
     s->found.owner = s->w->scratch->names + m->leaf;
     csg_intersect_member(s->w, m, &s->found);
     count = s->found.count - first;
@@ -188,6 +189,7 @@ static void begin(chord_search *s, csg_traversal *w, const pov_hits *hits)
                              .user = hits->user, .scratch = hits->scratch };
 
     s->w = w;
+    s->member = w->tree->chords.all ? w->tree->chords.member : w->tree->outline->member;
     s->found = found;
     s->unsure = false;
     s->asked = 0;
@@ -196,7 +198,7 @@ static void begin(chord_search *s, csg_traversal *w, const pov_hits *hits)
 /* Report the crossing that the outline has found. False: its member does not have it. */
 static bool report_found(chord_search *s, const csg_first *f, pov_hits *hits)
 {
-    const csg_member *m = &s->w->tree->members[s->w->tree->chords.member[f->column]];
+    const csg_member *m = &s->w->tree->members[s->member[f->column]];
     const pov_crossing about = { .t = f->t, .owner = s->w->scratch->names + m->leaf };
     const pov_crossing *at = &about;
 

@@ -119,7 +119,7 @@ void csg_cross_many(const void *const *selves, const pov_ray *const *rays, pov_h
             cross(selves[i], rays[i], hits[i]);
             continue;
         }
-        begin(&e, i, &t->members[t->chords.member[first.column]], rays[i], hits[i]);
+        begin(&e, i, &t->members[t->outline->member[first.column]], rays[i], hits[i]);
         entering |= (uint64_t)1 << i;
     }
     to_own_spaces(&e, entering);

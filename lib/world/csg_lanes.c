@@ -1,5 +1,5 @@
 /* Several rays and one tree: which of them certainly pass it, and which crossing is certainly the first of each other. As
- * csg_outline.c finds it for one ray, of trees that have chords. What is open is left to csg_intersect(). */
+ * csg_outline.c and csg_sweep.c find it for one ray, of trees with chords or a table. What is open is left to csg_intersect(). */
 #include "base/simd.h"
 #include "world/csg_outline.h"
 
@@ -16,8 +16,8 @@ typedef struct SIMD_ALIGNED near_rays {
 } near_rays;
 
 /* The first crossing: its place, between which distances it is, twice its column and 1 if that is entered; numbers other than 0
- * where that is open, and where there is none. */
-typedef struct SIMD_ALIGNED firsts { lane at, lo, hi, crossing, open, passed; } firsts;
+ * if the tree is entered, where all that is open, and where there is none. */
+typedef struct SIMD_ALIGNED firsts { lane at, lo, hi, crossing, inward, open, passed; } firsts;
 
 static const double margin = CSG_OUTLINE_MARGIN;
 
@@ -154,7 +154,12 @@ SIMD_INLINE void cross_column(const csg_outline *of, uint32_t column, near_rays 
 }
 
 /* The columns that hold the tree: a ray that is never within all of them passes it. */
-static uint32_t within_of(const csg_tree *t) { return t->clipped.outlined ? (1u << t->clipped.count) - 1 : t->chords.within; }
+static uint32_t within_of(const csg_tree *t)
+{
+    const csg_outline *of = t->outline;
+
+    return t->clipped.outlined ? (1u << t->clipped.count) - 1 : of->boxed ? of->within | 1u << of->count : t->chords.within;
+}
 
 /* Rays that are never within all members that are no complements, ahead and before their end, certainly pass the tree. Others do not
  * cross it before `lo`. */
@@ -199,8 +204,8 @@ static uint32_t column_of(const csg_tree *t, uint32_t name)
 {
     const uint32_t member = name - t->members[0].leaf;
 
-    for (uint32_t i = 0; member < t->member_count && i < t->few.count; i++)
-        if (t->chords.member[i] == member)
+    for (uint32_t i = 0; member < t->member_count && i < t->outline->count; i++)
+        if (t->outline->member[i] == member)
             return i;
     return CSG_COLUMNS;
 }
@@ -226,7 +231,7 @@ SIMD_RARE static double leave_by_name(const csg_tree *t, const pov_ray *ray, uin
         return 0.0;
     io->in[c][i] = enters ? -HUGE_VAL : HUGE_VAL;
     io->out[c][i] = enters ? io->out[c][i] : -HUGE_VAL;
-    for (uint32_t k = 0; k < t->few.count; k++)
+    for (uint32_t k = 0; k < t->outline->count; k++)
         least = lesser(nearest(io->in[k][i], io->out[k][i], start), least);
     return least;
 }
@@ -239,7 +244,7 @@ SIMD_INLINE void check_near(const csg_tree *t, const pov_rays *restrict rays, ne
 
     SIMD_LOOP for (uint32_t i = 0; i < TOGETHER; i++)
         least[i] = HUGE_VAL;
-    for (uint32_t c = 0; c < t->few.count; c++)
+    for (uint32_t c = 0; c < t->outline->count; c++)
         SIMD_LOOP for (uint32_t i = 0; i < TOGETHER; i++)
             least[i] = lesser(nearest(io->in[c][i], io->out[c][i], io->of[START][i]), least[i]);
     if (smallest(least) > margin)
@@ -343,10 +348,85 @@ SIMD_CLONES SIMD_NOINLINE static void find_firsts(const csg_tree *t, const pov_r
         out->open[i] = beyond < -margin ? open : 1.0;
     }
     find_exits(hollows, k, leave, out->at);
-    find_ends(t->few.count, k, out);
+    find_ends(t->outline->count, k, out);
     SIMD_LOOP for (uint32_t i = 0; i < TOGETHER; i++) {
         const double at = out->at[i] - k->of[START][i], per_unit = k->of[PER_UNIT][i];
 
+        out->lo[i] = (at - margin) * per_unit;
+        out->hi[i] = (at + margin) * per_unit;
+    }
+}
+
+/* ---- the same of a tree with a table ---- */
+
+/* At a crossing of a column: the others that hold it, as bits, and how near another crossing is. */
+SIMD_INLINE void find_holding(uint32_t columns, uint32_t column, const near_rays *restrict of, const double *restrict at,
+                              uint64_t *restrict holding, double *restrict near)
+{
+    SIMD_LOOP for (uint32_t i = 0; i < TOGETHER; i++) {
+        holding[i] = 0;
+        near[i] = fabs(of->in[column][i] - of->out[column][i]);
+    }
+    for (uint32_t c = 0; c < columns; c++) {
+        const uint64_t bit = (uint64_t)1 << c;
+
+        if (c == column)
+            continue;
+        SIMD_LOOP for (uint32_t i = 0; i < TOGETHER; i++) {
+            const double in = of->in[c][i], out = of->out[c][i];
+
+            holding[i] |= in < at[i] && at[i] < out ? bit : 0;
+            near[i] = lesser(nearest(at[i], in, out), near[i]);
+        }
+    }
+}
+
+/* What happens at a crossing, where that is the first so far that shows; and the first place where crossings are too near each other. */
+SIMD_INLINE void try_crossing(const csg_outline *of, uint32_t column, bool enters, const near_rays *restrict k, const double *restrict at,
+                              firsts *restrict io, double *restrict close)
+{
+    const uint64_t shows = of->shows[column], grows = of->grows[column];
+    const double crossing = 2.0 * column + (enters ? 1.0 : 0.0);
+    SIMD_ALIGNED uint64_t holding[TOGETHER];
+    SIMD_ALIGNED lane near;
+
+    find_holding(of->count, column, k, at, holding, near);
+    SIMD_LOOP for (uint32_t i = 0; i < TOGETHER; i++) {
+        const double ahead = at[i] > k->of[START][i] ? at[i] : HUGE_VAL, within = k->in[column][i] < k->out[column][i] ? ahead : HUGE_VAL;
+        const double boxed = within < k->in[of->count][i] ? HUGE_VAL : within > k->out[of->count][i] ? HUGE_VAL : within;
+        const double shown = shows >> holding[i] & 1 ? boxed : HUGE_VAL, grown = grows >> holding[i] & 1 ? 1.0 : 0.0;
+        const double inward = enters ? grown : 1.0 - grown;
+
+        close[i] = near[i] > margin ? close[i] : lesser(boxed, close[i]);
+        io->crossing[i] = shown < io->at[i] ? crossing : io->crossing[i];
+        io->inward[i] = shown < io->at[i] ? inward : io->inward[i];
+        io->at[i] = lesser(shown, io->at[i]);
+    }
+}
+
+/* The box is the last column. */
+SIMD_CLONES SIMD_NOINLINE static void sweep_all(const csg_tree *t, const pov_rays *restrict rays, near_rays *restrict k,
+                                                firsts *restrict out)
+{
+    const csg_outline *of = t->outline;
+    SIMD_ALIGNED lane close;
+
+    for (uint32_t c = 0; c < of->count; c++)
+        if (!(of->within >> c & 1))
+            cross_column(of, c, k);
+    check_near(t, rays, k);
+    memset(out, 0, sizeof *out);
+    SIMD_LOOP for (uint32_t i = 0; i < TOGETHER; i++)
+        out->at[i] = close[i] = HUGE_VAL;
+    for (uint32_t c = 0; c < of->count; c++) {
+        try_crossing(of, c, true, k, k->in[c], out, close);
+        try_crossing(of, c, false, k, k->out[c], out, close);
+    }
+    SIMD_LOOP for (uint32_t i = 0; i < TOGETHER; i++) {
+        const double at = out->at[i] - k->of[START][i], per_unit = k->of[PER_UNIT][i], last = lesser(out->at[i] + margin, 0x1p1000);
+
+        out->open[i] = close[i] <= last ? 1.0 : k->of[OPEN][i];
+        out->passed[i] = out->open[i] > 0.0 ? 0.0 : out->at[i] < HUGE_VAL ? 0.0 : 1.0;
         out->lo[i] = (at - margin) * per_unit;
         out->hi[i] = (at + margin) * per_unit;
     }
@@ -403,7 +483,7 @@ static void take(const csg_tree *t, const pov_rays *rays, uint32_t first, uint32
         some &= ~((passed[i] > 0.0 ? 1u : 0u) << i);
     }
     for (; some; some &= some - 1)
-        add(k, first_of(some), t->chords.within, to);
+        add(k, first_of(some), within_of(t), to);
 }
 
 static pov_candidate candidate_of(const csg_tree *t, const firsts *f, uint32_t i, double most)
@@ -411,13 +491,15 @@ static pov_candidate candidate_of(const csg_tree *t, const firsts *f, uint32_t i
     const uint32_t crossing = (uint32_t)f->crossing[i], column = crossing >> 1;
     const bool enters = crossing & 1;
     pov_candidate m = { .lo = 0.0 };
+    bool inward;
 
     if (f->open[i] > 0.0)
         return m;
     m.lo = f->lo[i];
     m.hi = f->hi[i];
     m.definite = m.hi * (1.0 + 0x1p-40) < most;
-    m.note = column | (enters ? CSG_NOTE_ENTERS : 0) | (enters == (t->chords.within >> column & 1) ? CSG_NOTE_INWARD : 0);
+    inward = t->chords.all ? enters == (t->chords.within >> column & 1) : f->inward[i] > 0.0;
+    m.note = column | (enters ? CSG_NOTE_ENTERS : 0) | (inward ? CSG_NOTE_INWARD : 0);
     return m;
 }
 
@@ -427,7 +509,7 @@ static uint32_t examine(const csg_tree *t, const pov_rays *rays, near_rays *k, u
     uint32_t found = 0;
     firsts f;
 
-    find_firsts(t, rays, k, &f);
+    (t->chords.all ? find_firsts : sweep_all)(t, rays, k, &f);
     for (uint32_t i = 0; i < n; i++) {
         const double most = rays->tmax[k->ray[i]];
 

@@ -72,7 +72,7 @@ typedef struct csg_first {
     double t, off;               /* about where, and by how much less than this that may be off */
 } csg_first;
 csg_found csg_outline_first(const csg_tree *t, const pov_ray *ray, uint32_t from, double most, csg_first *out);
-/* Report it, of a tree that has chords. False: its member does not have it, as far as doubles tell. */
+/* Report it, of a tree that has an outline. False: its member does not have it, as far as doubles tell. */
 bool csg_chords_report(csg_traversal *w, const csg_first *f, pov_hits *hits);
 /* The column of an outline that the ray starts on, or CSG_COLUMNS. */
 uint32_t csg_outline_column(const csg_traversal *w);
