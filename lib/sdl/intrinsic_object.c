@@ -36,18 +36,25 @@ static void read_inside(pov_reader *in, const intrinsic *row, value *out)
     out->as.v[0] = o && !in->failed && object_holds(in, o, point);
 }
 
-/* The variable that is to have the normal: the name of a vector. */
-static symbol *read_normal(pov_reader *in)
+/* The variable that is to have the normal: the name of a vector, or an element of an array. It has been taken; the value
+ * belongs to the lender, of which one use is held. NULL: the reader has failed. */
+static value *read_normal(pov_reader *in, shared **lender)
 {
-    symbol *name = in->token.symbol;
-    const value *v = name ? scope_value(name) : NULL;
+    const binding *b = in->token.symbol ? in->token.symbol->binding : NULL;
+    const place at = in->token.at;
+    value *slot;
 
-    if (!v || v->kind != VALUE_VECTOR) {
+    if (!b || (b->slot->kind != VALUE_VECTOR && b->slot->kind != VALUE_ARRAY)) {
         report_expected(in, "the name of a vector");
         return NULL;
     }
+    *lender = b->lender ? b->lender : (shared *)&b->head;
+    (*lender)->uses++;
     state_advance(in);
-    return name;
+    slot = expression_element(in, b->slot, lender);
+    if (slot && (slot->kind != VALUE_VECTOR || slot->size != 3) && !in->failed)
+        report_fail(in, &at, POV_E_SYNTAX, "expected the name of a vector of three numbers, found %s", value_name(slot));
+    return in->failed ? NULL : slot;
 }
 
 static void read_trace(pov_reader *in, const intrinsic *row, value *out)
@@ -55,7 +62,8 @@ static void read_trace(pov_reader *in, const intrinsic *row, value *out)
     object_hit hit = { 0.0, { 0.0, 0.0, 0.0 }, false };
     pov_vec3 origin, direction;
     const object_parsed *o;
-    symbol *normal = NULL;
+    shared *lender = NULL;
+    value *normal = NULL;
     bool found;
 
     (void)row;
@@ -66,13 +74,16 @@ static void read_trace(pov_reader *in, const intrinsic *row, value *out)
     state_accept(in, ',');
     direction = expression_vector(in);
     if (state_accept(in, ','))
-        normal = read_normal(in);
-    state_close(in, ')');
+        normal = read_normal(in, &lender);
     found = o && !in->failed && object_trace(in, o, origin, direction, &hit);
     if (!found)
         hit.normal = pov_vec3_of(0.0, 0.0, 0.0);
+    /* The bracket may be the last of a macro, and the name its parameter. */
     if (normal)
-        scope_declare(in, normal, value_of_vector(hit.normal));
+        *normal = value_of_vector(hit.normal);
+    if (lender)
+        value_unshare(&in->heap, lender);
+    state_close(in, ')');
     *out = value_of_vector(found ? pov_add(origin, pov_scale(direction, hit.t)) : hit.normal);
 }
 

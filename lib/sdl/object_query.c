@@ -1,6 +1,7 @@
 #include "sdl/object_query.h"
 
 #include <float.h>
+#include <math.h>
 #include <string.h>
 
 /* A leaf's shape, ready to be asked. */
@@ -388,31 +389,80 @@ static void move_box(pov_reader *in, const transform *moves, pov_box *box)
         *box = map_box(&map, box);
 }
 
+/* Along the axes, without an end elsewhere: what a plane that is normal to one leaves, or what it cuts off leaves. */
+static bool plane_bounds(pov_reader *in, const object_parsed *o, bool cuts, pov_box *out)
+{
+    const pov_vec3 all = pov_vec3_of(INFINITY, INFINITY, INFINITY);
+    double n[3], lo[3] = { -INFINITY, -INFINITY, -INFINITY }, hi[3] = { INFINITY, INFINITY, INFINITY };
+    pov_half_space h;
+    pov_affine map;
+    bool is_one;
+    subject s;
+
+    *out = (pov_box){ pov_scale(all, -1.0), all };
+    if (o->kind != OBJECT_LEAF || !o->leaf.shape->half_space || !begin(in, o, &s))
+        return false;
+    is_one = s.shape->half_space(s.self, &h);
+    end(in, &s);
+    if (is_one && find_map(o, &map)) {
+        const pov_vec3 on = pov_affine_point(&map, pov_scale(h.normal, h.distance));
+
+        h.normal = map_normal(&map, h.normal);
+        h.distance = pov_dot(h.normal, on);
+    }
+    n[0] = h.normal.x, n[1] = h.normal.y, n[2] = h.normal.z;
+    for (int i = 0; i < 3 && is_one; i++) {
+        if (n[(i + 1) % 3] != 0.0 || n[(i + 2) % 3] != 0.0)
+            continue;
+        if ((n[i] > 0.0) == (((o->flags & LEAF_INVERSE) != 0) == cuts))
+            hi[i] = h.distance / n[i];
+        else
+            lo[i] = h.distance / n[i];
+    }
+    *out = (pov_box){ pov_vec3_of(lo[0], lo[1], lo[2]), pov_vec3_of(hi[0], hi[1], hi[2]) };
+    return is_one;
+}
+
+static bool is_finite_box(const pov_box *b)
+{
+    return isfinite(b->lo.x + b->lo.y + b->lo.z) && isfinite(b->hi.x + b->hi.y + b->hi.z);
+}
+
+/* As in POV-Ray planes along the axes narrow the box, and bound what has none if there are six. */
+static bool common_bounds(pov_reader *in, const object_parsed *o, pov_box *out)
+{
+    bool has_box = false, is_empty;
+
+    *out = (pov_box){ pov_vec3_of(-INFINITY, -INFINITY, -INFINITY), pov_vec3_of(INFINITY, INFINITY, INFINITY) };
+    for (const object_parsed *member = o->first; member; member = member->next) {
+        const bool cuts = o->op == NODE_DIFFERENCE && member != o->first;
+        pov_box box;
+
+        if (plane_bounds(in, member, cuts, &box)) {
+            clip(out, &box);
+        } else if (!cuts && object_bounds(in, member, &box) && (o->op == NODE_DIFFERENCE || !(member->flags & LEAF_INVERSE))) {
+            clip(out, &box);
+            has_box = true;
+        }
+    }
+    is_empty = out->lo.x > out->hi.x || out->lo.y > out->hi.y || out->lo.z > out->hi.z;
+    return !is_empty && (has_box || is_finite_box(out));
+}
+
 static bool group_bounds(pov_reader *in, const object_parsed *o, pov_box *out)
 {
-    const object_parsed *member;
     bool has_box = false;
     pov_box box;
 
-    for (member = o->first; member; member = member->next) {
-        const bool is_finite = object_bounds(in, member, &box);
-
-        if (o->op == NODE_DIFFERENCE) {
-            *out = box;
-            return is_finite;
-        }
-        if (!is_finite && o->op != NODE_INTERSECTION)
+    if (o->op == NODE_INTERSECTION || o->op == NODE_DIFFERENCE)
+        return common_bounds(in, o, out);
+    for (const object_parsed *member = o->first; member; member = member->next) {
+        if (!object_bounds(in, member, &box))
             return false;
-        if (!is_finite || (o->op == NODE_INTERSECTION && (member->flags & LEAF_INVERSE)))
-            continue;
         if (!has_box)
             *out = box;
-        else if (o->op == NODE_INTERSECTION)
-            clip(out, &box);
-        if (has_box && o->op != NODE_INTERSECTION) {
-            enclose(out, box.lo, false);
-            enclose(out, box.hi, false);
-        }
+        enclose(out, box.lo, false);
+        enclose(out, box.hi, false);
         has_box = true;
     }
     return has_box;

@@ -73,6 +73,8 @@ const sky_sphere *parse_sky_node(pov_reader *in)
     memset(&r, 0, sizeof r);
     r.sky.emission = colour_of(1.0f, 1.0f, 1.0f);
     items_block(in, &list, &r);
+    if (!in->failed && r.sky.count == 0)
+        report_fail(in, &in->last, POV_E_SYNTAX, "this sky has no pigment");
     if (in->failed)
         return NULL;
     r.sky.layers = keep(in, r.layers, (r.sky.count + 1) * sizeof *r.layers);

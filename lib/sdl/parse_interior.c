@@ -40,6 +40,14 @@ static void read_item(pov_reader *in, void *self, keyword_id keyword)
     }
 }
 
+static void skip_refraction(pov_reader *in, void *self, keyword_id keyword)
+{
+    (void)self;
+    (void)keyword;
+    report_warn(in, &in->last, "\"refraction\" has no effect: an ior refracts");
+    value_optional(in, 1.0);
+}
+
 static void take_interior(pov_reader *in, void *self, const value *v)
 {
     (void)in;
@@ -60,7 +68,7 @@ void parse_interior(pov_reader *in, surface_parsed *s)
                                   { KEYWORD_DISPERSION, read_item }, { KEYWORD_DISPERSION_SAMPLES, read_item },
                                   { KEYWORD_FADE_DISTANCE, read_item }, { KEYWORD_FADE_POWER, read_item },
                                   { KEYWORD_FADE_COLOR, read_item }, { KEYWORD_FADE_COLOUR, read_item },
-                                  { KEYWORD_MEDIA, read_media } };
+                                  { KEYWORD_MEDIA, read_media }, { KEYWORD_REFRACTION, skip_refraction } };
     static const item_list list = { "an item of the interior", ITEMS(items), NULL, NULL, NULL,
                                     VALUE_INTERIOR, take_interior };
 

@@ -240,8 +240,21 @@ static const item items[] = {
 };
 static const item_list list = { "a modifier of the light", ITEMS(items), NULL, NULL, NULL, VALUE_NOTHING, NULL };
 
+static void skip_colour(pov_reader *in, void *self, keyword_id keyword)
+{
+    double unused[5];
+
+    (void)self;
+    report_warn(in, &in->last, "\"%s\" has no effect on a light that has a name", token_keyword_name(keyword));
+    value_colour_components(in, true, unused);
+}
+
 /* A light with a name is moved only. */
-static const item moves[] = { PARSE_MOVES(move_light) };
+static const item moves[] = {
+    PARSE_MOVES(move_light),      { KEYWORD_COLOR, skip_colour }, { KEYWORD_COLOUR, skip_colour },
+    { KEYWORD_RGB, skip_colour }, { KEYWORD_RGBF, skip_colour },  { KEYWORD_RGBT, skip_colour },
+    { KEYWORD_RGBFT, skip_colour },
+};
 static const item_list move_list = { "a transformation", ITEMS(moves), NULL, NULL, NULL, VALUE_NOTHING, NULL };
 
 static void begin(light_reading *r, object_parsed *out)

@@ -33,7 +33,9 @@ static void read_strength(pov_reader *in, void *self, keyword_id keyword)
 {
     medium *m = &((media_reading *)self)->medium;
 
-    if (keyword == KEYWORD_ECCENTRICITY)
+    if (keyword == KEYWORD_ECCENTRICITY && m->type != SCATTER_HENYEY)
+        report_fail(in, &in->last, POV_E_SYNTAX, "\"eccentricity\" is of a scattering of type %d", SCATTER_HENYEY);
+    else if (keyword == KEYWORD_ECCENTRICITY)
         m->eccentricity = value_float(in);
     else
         m->extinction = value_float(in);
@@ -51,8 +53,10 @@ static void read_scattering(pov_reader *in, void *self, keyword_id keyword)
     (void)keyword;
     items_open(in, &b);
     type = value_number(in);
-    if (!in->failed && !(type >= 1.0 && type < (double)SCATTER_TYPES))
-        report_fail(in, &in->value, POV_E_SYNTAX, "the type of a scattering is from 1 to %d", SCATTER_TYPES - 1);
+    if (!in->failed && !(type >= 1.0 && type < (double)SCATTER_TYPES)) {
+        report_warn(in, &in->value, "the type of a scattering is from 1 to %d; others count as 1", SCATTER_TYPES - 1);
+        type = 1.0;
+    }
     state_accept(in, ',');
     m->type = in->failed ? SCATTER_NONE : (scatter_type)type;
     m->scattering = value_colour(in, true).colour;
@@ -71,6 +75,17 @@ static void read_density(pov_reader *in, void *self, keyword_id keyword)
         report_fail(in, &in->last, POV_E_SYNTAX, "more than %d densities in a media", DENSITIES_MAX);
     else if (node)
         r->densities[r->medium.density_count++] = node;
+}
+
+/* The sampler of POV-Ray's that the scene was written for; all come to the same here. */
+static void read_method(pov_reader *in, void *self, keyword_id keyword)
+{
+    const double method = value_number(in), most = 4.0;
+
+    (void)self;
+    (void)keyword;
+    if (!in->failed && !(method >= 1.0 && method < most))
+        report_fail(in, &in->value, POV_E_SYNTAX, "the method of a media is 1, 2 or 3");
 }
 
 static uint32_t read_count(pov_reader *in)
@@ -136,9 +151,10 @@ static void read_media(pov_reader *in, media_reading *r)
     static const item items[] = {
         { KEYWORD_ABSORPTION, read_colour },  { KEYWORD_EMISSION, read_colour }, { KEYWORD_SCATTERING, read_scattering },
         { KEYWORD_DENSITY, read_density },    { KEYWORD_INTERVALS, read_samples }, { KEYWORD_SAMPLES, read_samples },
+        { KEYWORD_METHOD, read_method },
         PARSE_MOVES(move_media),
     };
-    static const keyword_id quiet[] = { KEYWORD_METHOD, KEYWORD_RATIO, KEYWORD_CONFIDENCE, KEYWORD_VARIANCE,
+    static const keyword_id quiet[] = { KEYWORD_RATIO, KEYWORD_CONFIDENCE, KEYWORD_VARIANCE,
                                         KEYWORD_JITTER, KEYWORD_AA_LEVEL, KEYWORD_AA_THRESHOLD, KEYWORD_COLLECT,
                                         KEYWORD_OTHER };
     static const item_list list = { "an item of the media", ITEMS(items), quiet, NULL, NULL, VALUE_MEDIA, take_media };

@@ -93,7 +93,9 @@ static const normal_node *make_node(pov_reader *in, normal_reading *r)
     const map_parsed *map = r->map.kind != VALUE_NOTHING ? &r->map : &r->slopes;
     normal_node node;
 
-    if (in->failed || (is_average && r->map.count == 0))
+    if (!in->failed && is_average && r->map.count == 0)
+        report_fail(in, &in->last, POV_E_SYNTAX, "\"average\" needs a map of what it is the mean of");
+    if (in->failed)
         return NULL;
     memset(&node, 0, sizeof node);
     node.pattern = class ? parse_pattern_end(in, &r->pattern) : NULL;

@@ -204,6 +204,8 @@ static const pigment_node *make_varying(pov_reader *in, pigment_reading *r)
         node.most = class->most(r->pattern.self.bytes);
         return textures_pigment(in, &node);
     }
+    if (is_average && r->map.kind == VALUE_NOTHING)
+        report_fail(in, &in->last, POV_E_SYNTAX, "\"average\" needs a map of what it is the mean of");
     if (r->map.kind == VALUE_NOTHING)
         use_default_map(in, class, r->pattern.self.bytes, &r->map);
     if (class->count == 0 && !r->map.values && !in->failed)

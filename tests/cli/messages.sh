@@ -213,3 +213,37 @@ messages_f6_a_reference_is_refused_by_its_header() {
     expect 2 "$povc" small.pov 8 6 o.png --reference big.png --report r.csv
     says err "64 x 48 pixels, where 8 x 6 are wanted"
 }
+
+# Scenes that say what they find with #error.
+messages_trace_fills_elements_and_parameters() {
+    cat > found.pov << 'END'
+#declare B = box { -1, 1 }
+#declare A = array[2] { x, x }
+#macro Hit(N) trace(B, 3*y, -y, N) #end
+#declare P = trace(B, -3*y, y, A[0]);
+#declare P = Hit(A[1]);
+#declare V = x;
+#declare P = Hit(V);
+#if (A[0].y != -1 | A[1].y != 1 | V.y != 1 | P.y != 1) #error "another normal" #end
+END
+    expect 0 "$povc" --check found.pov
+}
+
+messages_planes_narrow_extents_as_in_povray() {
+    cat > boxes.pov << 'END'
+#macro Check(I, Lo, Hi)
+    #if (vlength(min_extent(I) - Lo) > 1e-6 | vlength(max_extent(I) - Hi) > 1e-6) #error "another box" #end
+#end
+#declare S = sphere { 0, 1 }
+#declare I = intersection { object { S } plane { y, 0 } } Check(I, -1, <1, 0, 1>)
+#declare I = intersection { object { S } plane { y, 0 rotate 90*z } } Check(I, <0, -1, -1>, 1)
+#declare I = intersection { object { S } plane { y, .5 inverse } } Check(I, <-1, .5, -1>, 1)
+#declare I = intersection { object { S } plane { x + y, 0 } } Check(I, -1, 1)
+#declare I = intersection { object { S } plane { y, 0 } rotate 180*x } Check(I, <-1, 0, -1>, 1)
+#declare I = difference { object { S } plane { y, 0 } plane { -x, -.5 } } Check(I, <-1, 0, -1>, <.5, 1, 1>)
+#declare I = intersection { plane { x, 1 } plane { -x, 2 } plane { y, 1 } plane { -y, 2 } plane { z, 1 } plane { -z, 2 } } Check(I, -2, 1)
+#declare I = intersection { plane { x, 1 } plane { -x, 2 } } Check(I, -1e10, 1e10)
+#declare I = intersection { object { S } plane { y, -2 } } Check(I, -1e10, 1e10)
+END
+    expect 0 "$povc" --check boxes.pov
+}

@@ -289,6 +289,8 @@ static void what_povray_takes_is_taken(void **state)
     assert_radius("#declare S = spline { 0, 1 0, 2 1, 3 } sphere { 0, S(0).x }", 2);
     assert_radius("#declare A = array[1] { spline { 0, 1 1, 3 } } #declare S = spline { A[0] 3, 9 } sphere { 0, S(2).x }", 6);
     assert_radius("#declare A = intersection { box { 0, 1 } box { <-1, .2, 0>, <.5, 2, 3> } } sphere { 0, 3 + trace(A, <.3, .5, -3>, z).z }", 3);
+    assert_radius("#declare L = light_source { 0, 1 } light_source { L rgb <1, 0, 0> color rgb 1 translate x } sphere { 0, 2 }", 2);
+    assert_radius("sphere { 0, 2 interior { ior 1.5 refraction 1 } interior { refraction } }", 2);
     assert_radius("#macro M() #local P = 1; P + 1; #end #macro N() #local P = M(); sphere { 0, P } #end N()", 2);
     assert_radius("#macro M() #local P = 1; P + 1; #end #declare P = 7; #declare P = M(); sphere { 0, P }", 2);
     assert_radius("#macro M() #local A[0] = 9; sphere { 0, A[0] } #end #declare A = array[1] { 1 } M()", 1);
@@ -307,6 +309,11 @@ static void what_povray_takes_is_taken(void **state)
 static void what_povray_refuses_is_refused(void **state)
 {
     static const char *const texts[] = {
+        "sphere { 0, 1 pigment { average } }", "sphere { 0, 1 normal { average .5 } }", "#declare P = pigment { average scale 2 }",
+        "sky_sphere { }", "#declare S = sky_sphere { emission 2 }", "media { method 4 }", "media { method 0 }",
+        "media { scattering { 2, 1 eccentricity .5 } }",
+        "#declare B = box { -1, 1 } #declare N = <1, 2>; #declare P = trace(B, 3*y, -y, N);",
+        "#declare B = box { -1, 1 } #declare A = array[1] { 1 } #declare P = trace(B, 3*y, -y, A[0]);",
         "#declare S = (1 ? \"a\" : \"b\");", "#declare F = function (a) { a; }",
         "#declare F = function (a) { min(a) }", "#declare F = 5; #declare F = function { x }",
         "#macro M() #local A[0] = 9; #debug str(A[0], 0, 0) #end #declare A = array[1]; M()",

@@ -3,6 +3,8 @@
 #include "support/near.h"
 #include "support/reading.h"
 
+#include <stdio.h>
+
 #define FILLED(media) "sphere { 0, 1 hollow pigment { rgbt 1 } interior { " media " } }"
 
 static const media *media_of_first(const reading *r)
@@ -45,6 +47,22 @@ static void the_last_scattering_counts_with_its_own_words(void **state)
     assert_near((double)m->extinction, 1.0, 0.0);
     assert_near((double)m->eccentricity, 0.0, 0.0);
     reading_end(&r);
+}
+
+static void unknown_scattering_is_isotropic(void **state)
+{
+    static const char *const types[] = { "0", "6", "-1" };
+    (void)state;
+
+    for (int i = 0; i < 3; i++) {
+        char text[200];
+        reading r;
+
+        snprintf(text, sizeof text, FILLED("media { scattering { %s, rgb 0.1 } }"), types[i]);
+        reading_begin(&r, text);
+        assert_int_equal(media_of_first(&r)->items[0].type, SCATTER_ISOTROPIC);
+        reading_end(&r);
+    }
 }
 
 static void media_add_up_in_interiors_and_around_the_scene(void **state)
@@ -107,7 +125,8 @@ static void mistakes_have_a_place(void **state)
 {
     (void)state;
 
-    assert_refused("media { scattering { 6, 1 } }", "the type of a scattering is from 1 to 5", 22);
+    assert_refused("media { method 4 }", "the method of a media is 1, 2 or 3", 16);
+    assert_refused("media { scattering { 2, 1 eccentricity .5 } }", "\"eccentricity\" is of a scattering of type 5", 27);
     assert_refused("media { scattering { 1, 1 emission 2 } }", "\"emission\" does not belong in \"scattering\"", 27);
     assert_refused("media { scattring { 1, 1 } }", "unknown word \"scattring\" in \"media\"", 9);
 }
@@ -116,6 +135,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(words_of_media_are_read),
+        cmocka_unit_test(unknown_scattering_is_isotropic),
         cmocka_unit_test(the_last_scattering_counts_with_its_own_words),
         cmocka_unit_test(media_add_up_in_interiors_and_around_the_scene),
         cmocka_unit_test(densities_move_with_their_object),
