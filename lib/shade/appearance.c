@@ -1,17 +1,10 @@
 #include "shade/appearance.h"
 
-/* As fmaxf(), which would be a call. */
-static inline float larger(float a, float b) { return a > b || b != b ? a : b; }
-
 /* Fraction of ambient and diffuse light of a transparent surface. Negative if filter and transmit are more than 1
  * together, as in POV-Ray. */
 static float opacity_of(const model *m, const pigment *of)
 {
-    float filter = of->filter;
-
-    if (m->opacity_uses_filter_colour)
-        filter *= larger(of->color.r, larger(of->color.g, of->color.b));
-    return 1.0f - filter - of->transmit;
+    return 1.0f - appearance_covered(m, of->color, of->filter) - of->transmit;
 }
 
 static bool is_share(float x) { return x >= 0.0f && x <= 1.0f; }

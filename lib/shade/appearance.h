@@ -56,6 +56,14 @@ typedef struct appearance {
 void appearance_make(appearance *out, const plan *p, const model *m, const finish *f, const pigment *at);
 /* What of it depends on the pigment; upper: it is a layer upon another. */
 typedef struct appearance_light { float opacity; colour emitted, filter; } appearance_light;
+/* What filter takes of the opacity of a pigment of this colour. */
+static inline float appearance_covered(const model *m, colour c, float filter)
+{
+    /* As fmaxf(), which would be a call. */
+    const float blue = c.g > c.b || c.b != c.b ? c.g : c.b, most = c.r > blue || blue != blue ? c.r : blue;
+
+    return m->opacity_uses_filter_colour ? filter * most : filter;
+}
 void appearance_light_of(appearance_light *out, const model *m, const finish *f, const pigment *at, bool upper);
 /* Do rays go through this pigment? */
 bool appearance_transmits(const plan *p, const pigment *at);

@@ -1,5 +1,7 @@
 #include "shade/merge.h"
 
+#include "base/simd.h"
+
 /* The sum of a surface's terms, each by what those above it leave. */
 typedef struct term_sum {
     const shading *scene;
@@ -75,7 +77,8 @@ static void set(const term_sum *sum, const material *of, appearance *out)
     out->emitted = sum->emitted;
     out->lit = sum->lit;
     out->transmissive = sum->goes_on;
-    onward_set_filter(&out->onward, sum->scene->model, sum->left);
+    if (sum->goes_on)
+        onward_set_filter(&out->onward, sum->scene->model, sum->left);
     appearance_set_material(out, of);
 }
 
@@ -91,11 +94,293 @@ static bool merge(const shading *scene, const painted *p, uint32_t i, surfaces *
     return true;
 }
 
+/* ---- surfaces side by side ---- */
+
+/* Surfaces whose terms are alike but for the pigments: the same number, level by level of one finish, in one stack. */
+enum { LEVELS_MOST = 64, ALIKE_LEAST = 4 };
+typedef struct alike {
+    uint32_t count, levels;
+    uint8_t lane[BATCH_MAX];
+    const appearance *of[LEVELS_MOST];
+} alike;
+
+/* By lane: a level's pigments. */
+typedef struct SIMD_ALIGNED level_lanes {
+    float red[BATCH_MAX], green[BATCH_MAX], blue[BATCH_MAX], filter[BATCH_MAX], transmit[BATCH_MAX], share[BATCH_MAX];
+    float covered[BATCH_MAX];    /* what filter takes of the opacity */
+} level_lanes;
+
+/* Sums as in term_sum; the last level that is seen; whether nothing below it is. */
+typedef struct SIMD_ALIGNED sum_lanes {
+    float diffuse[3][BATCH_MAX], emitted[3][BATCH_MAX], left[3][BATCH_MAX];
+    int32_t last[BATCH_MAX], hidden[BATCH_MAX];
+} sum_lanes;
+
+/* What all lanes of a level have in common. */
+typedef struct level {
+    colour ambient, ambient_light, emission;
+    float diffuse, bailout;
+    int32_t number, upper;
+    bool colourless;
+    float by_luminance;          /* 1 or 0: loops take conditions that are no numbers for branches */
+} level;
+
+static level level_of(const model *m, const finish *f, uint32_t number, bool upper)
+{
+    const level out = { .ambient = f->ambient, .ambient_light = m->ambient_light, .emission = f->emission, .diffuse = f->diffuse,
+                        .bailout = (float)m->adc_bailout, .number = (int32_t)number, .upper = upper,
+                        .colourless = upper && m->upper_layers_are_colourless, .by_luminance = m->opaque_dark_filters ? 1.0f : 0.0f };
+
+    return out;
+}
+
+/* One component of a lane: as add() and appearance_light_of() have it. */
+typedef struct component { float diffuse, emitted, left; } component;
+
+SIMD_INLINE component add_component(component sum, float by, float value, float opacity, float own, float filter, float ambient,
+                                    float ambient_light, float emission)
+{
+    const float share = sum.left * by, shines = ambient * value * opacity * ambient_light + emission * value * opacity;
+    const component out = { sum.diffuse + share * (value * own), sum.emitted + share * shines, sum.left * filter };
+
+    return out;
+}
+
+SIMD_INLINE component component_at(const sum_lanes *l, int k, uint32_t i)
+{
+    const component out = { l->diffuse[k][i], l->emitted[k][i], l->left[k][i] };
+
+    return out;
+}
+
+/* What is not seen adds nothing. */
+SIMD_INLINE void put_component(sum_lanes *l, int k, uint32_t i, bool seen, component before, component after)
+{
+    l->diffuse[k][i] = seen ? after.diffuse : before.diffuse;
+    l->emitted[k][i] = seen ? after.emitted : before.emitted;
+    l->left[k][i] = seen ? after.left : before.left;
+}
+
+/* to: other memory, as compilers take what leaves some lanes as they are for branches. */
+SIMD_INLINE void add_lanes(const sum_lanes *restrict from, const level_lanes *restrict l, const level *at, uint32_t n, bool colourless,
+                           sum_lanes *restrict to)
+{
+    const level of = *at;
+
+    for (uint32_t i = 0; i < n; i++) {
+        const float r = l->red[i], g = l->green[i], b = l->blue[i], transmit = l->transmit[i], all = l->filter[i] + transmit;
+        const float opacity = colourless ? 1.0f - all : 1.0f - l->covered[i] - transmit, own = opacity * of.diffuse;
+        const component red = component_at(from, 0, i), green = component_at(from, 1, i), blue = component_at(from, 2, i);
+        const component more_red = add_component(red, l->share[i], r, opacity, own, colourless ? all : r * l->filter[i] + transmit,
+                                                 of.ambient.r, of.ambient_light.r, of.emission.r);
+        const component more_green = add_component(green, l->share[i], g, opacity, own, colourless ? all : g * l->filter[i] + transmit,
+                                                   of.ambient.g, of.ambient_light.g, of.emission.g);
+        const component more_blue = add_component(blue, l->share[i], b, opacity, own, colourless ? all : b * l->filter[i] + transmit,
+                                                  of.ambient.b, of.ambient_light.b, of.emission.b);
+        const colour left = { more_red.left, more_green.left, more_blue.left };
+        const float size = of.by_luminance > 0.0f ? fabsf(colour_luminance(left)) : colour_weight(left);
+        const bool seen = from->hidden[i] == 0;
+        const int32_t ends = size < of.bailout ? of.upper : 0;
+
+        put_component(to, 0, i, seen, red, more_red);
+        put_component(to, 1, i, seen, green, more_green);
+        put_component(to, 2, i, seen, blue, more_blue);
+        to->last[i] = seen ? of.number : from->last[i];
+        to->hidden[i] = seen ? ends : 1;
+    }
+}
+
+SIMD_CLONES static void add_level(const sum_lanes *restrict from, const level_lanes *restrict l, const level *at, uint32_t n,
+                                  sum_lanes *restrict to)
+{
+    add_lanes(from, l, at, n, false, to);
+}
+
+SIMD_CLONES static void add_colourless(const sum_lanes *restrict from, const level_lanes *restrict l, const level *at, uint32_t n,
+                                       sum_lanes *restrict to)
+{
+    add_lanes(from, l, at, n, true, to);
+}
+
+static inline const texture_term *term_at(const painted *p, uint32_t i, uint32_t k) { return &p->terms[p->order[p->first[i] + k]]; }
+
+/* Has the surface such terms? */
+static bool is_alike(const alike *a, const painted *p, const surfaces *s, uint32_t i)
+{
+    if (p->first[i + 1] - p->first[i] != a->levels || s->at[i].appearance->material->double_illuminate)
+        return false;
+    for (uint32_t k = 0; k < a->levels; k++) {
+        const texture_term *t = term_at(p, i, k);
+
+        if (t->bent || t->first != (k == 0) || t->finish != a->of[k]->finish)
+            return false;
+    }
+    return true;
+}
+
+/* Find the lanes like the first of `lanes`. Their terms may be as one, or there are none. */
+static void find_alike(const shading *scene, const surfaces *s, const painted *p, uint64_t lanes, alike *out)
+{
+    const uint32_t first = first_of64(lanes);
+
+    out->count = 0;
+    out->levels = p->first[first + 1] - p->first[first];
+    if (out->levels > LEVELS_MOST)
+        return;
+    for (uint32_t k = 0; k < out->levels; k++) {
+        out->of[k] = shading_finish(scene, term_at(p, first, k)->finish);
+        if (!merge_takes(out->of[k]))
+            return;
+    }
+    for (; lanes; lanes &= lanes - 1)
+        if (is_alike(out, p, s, first_of64(lanes)))
+            out->lane[out->count++] = (uint8_t)first_of64(lanes);
+}
+
+/* Terms as they stand in memory, four bytes each: these numbers of eight of them go to lanes side by side. Stored one by one, they
+ * would stall the loops that follow. */
+enum { SHARE = 1, PIGMENT = 2, EIGHT = 8 };
+enum { TERMS_AGREE = 1 / (offsetof(texture_term, share) == 4 * SHARE && offsetof(texture_term, pigment) == 4 * PIGMENT &&
+                          offsetof(pigment, filter) == 12 && offsetof(pigment, transmit) == 16) };   /* else this does not compile */
+
+#if defined(__AVX__) && defined(__GNUC__)
+
+/* Four numbers of each term from `first` on, the last four not used. */
+SIMD_INLINE void transpose(const texture_term *const t[EIGHT], int first, __m256 to[4])
+{
+    __m256 rows[4], low[2], high[2];
+
+    for (int j = 0; j < 4; j++)
+        rows[j] = _mm256_insertf128_ps(_mm256_castps128_ps256(_mm_loadu_ps((const float *)(const void *)t[j] + first)),
+                                       _mm_loadu_ps((const float *)(const void *)t[j + 4] + first), 1);
+    for (int j = 0; j < 2; j++) {
+        low[j] = _mm256_unpacklo_ps(rows[2 * j], rows[2 * j + 1]);
+        high[j] = _mm256_unpackhi_ps(rows[2 * j], rows[2 * j + 1]);
+    }
+    to[0] = _mm256_shuffle_ps(low[0], low[1], 0x44);
+    to[1] = _mm256_shuffle_ps(low[0], low[1], 0xee);
+    to[2] = _mm256_shuffle_ps(high[0], high[1], 0x44);
+    to[3] = _mm256_shuffle_ps(high[0], high[1], 0xee);
+}
+
+static inline void put_terms(level_lanes *l, uint32_t i, const texture_term *const t[EIGHT])
+{
+    __m256 v[4];
+
+    transpose(t, SHARE, v);
+    _mm256_store_ps(l->share + i, v[0]);
+    _mm256_store_ps(l->red + i, v[1]);
+    _mm256_store_ps(l->green + i, v[2]);
+    _mm256_store_ps(l->blue + i, v[3]);
+    transpose(t, PIGMENT + 3, v);
+    _mm256_store_ps(l->filter + i, v[0]);
+    _mm256_store_ps(l->transmit + i, v[1]);
+}
+#else
+static inline void put_terms(level_lanes *l, uint32_t i, const texture_term *const t[EIGHT])
+{
+    for (uint32_t j = 0; j < EIGHT; j++) {
+        l->share[i + j] = t[j]->share;
+        l->red[i + j] = t[j]->pigment.color.r;
+        l->green[i + j] = t[j]->pigment.color.g;
+        l->blue[i + j] = t[j]->pigment.color.b;
+        l->filter[i + j] = t[j]->pigment.filter;
+        l->transmit[i + j] = t[j]->pigment.transmit;
+    }
+}
+#endif
+
+static void find_covered(const model *m, level_lanes *l, uint32_t n)
+{
+    for (uint32_t i = 0; i < n; i++)
+        l->covered[i] = appearance_covered(m, colour_of(l->red[i], l->green[i], l->blue[i]), l->filter[i]);
+}
+
+/* Lanes past the end hold the last one again. */
+static void take_level(level_lanes *l, const alike *a, const painted *p, uint32_t k)
+{
+    for (uint32_t i = 0; i < a->count; i += EIGHT) {
+        const texture_term *t[EIGHT];
+
+        for (uint32_t j = 0; j < EIGHT; j++)
+            t[j] = term_at(p, a->lane[i + j < a->count ? i + j : a->count - 1], k);
+        put_terms(l, i, t);
+    }
+}
+
+static void begin_lanes(sum_lanes *l, uint32_t n)
+{
+    for (uint32_t i = 0; i < n; i++) {
+        for (int k = 0; k < 3; k++) {
+            l->diffuse[k][i] = l->emitted[k][i] = 0.0f;
+            l->left[k][i] = 1.0f;
+        }
+        l->last[i] = l->hidden[i] = 0;
+    }
+}
+
+/* What a lane shows, of finishes of which so many are lit from the top on. */
+static void set_lane(const shading *scene, const alike *a, const sum_lanes *l, const painted *p, uint32_t i, uint32_t first_lit, surfaces *s)
+{
+    const uint32_t lane = a->lane[i], last = (uint32_t)l->last[i];
+    const term_sum sum = { .scene = scene, .any = a->of[last], .lit = last >= first_lit,
+                           .diffuse = colour_of(l->diffuse[0][i], l->diffuse[1][i], l->diffuse[2][i]),
+                           .emitted = colour_of(l->emitted[0][i], l->emitted[1][i], l->emitted[2][i]),
+                           .left = colour_of(l->left[0][i], l->left[1][i], l->left[2][i]),
+                           .goes_on = last + 1 == a->levels && appearance_transmits(scene->plan, &term_at(p, lane, last)->pigment) };
+
+    set(&sum, s->at[lane].appearance->material, &s->varying[lane]);
+    s->at[lane].appearance = &s->varying[lane];
+}
+
+/* Returns the lanes that are done. */
+static uint64_t merge_alike(const shading *scene, const alike *a, const painted *p, surfaces *s)
+{
+    const uint32_t whole = (a->count + EIGHT - 1) & ~(uint32_t)(EIGHT - 1);
+    const model *m = scene->model;
+    uint32_t first_lit = a->levels;
+    uint64_t done = 0;
+    sum_lanes sums[2];   /* of the levels so far, in turn */
+    level_lanes l;
+
+    begin_lanes(&sums[0], whole);
+    for (uint32_t k = 0; k < a->levels; k++) {
+        const level of = level_of(m, a->of[k]->finish, k, k + 1 < a->levels);
+
+        take_level(&l, a, p, k);
+        find_covered(m, &l, whole);
+        (of.colourless ? add_colourless : add_level)(&sums[k & 1], &l, &of, whole, &sums[~k & 1]);
+        if (a->of[k]->lit && first_lit > k)
+            first_lit = k;
+    }
+    for (uint32_t i = 0; i < a->count; i++) {
+        set_lane(scene, a, &sums[a->levels & 1], p, i, first_lit, s);
+        done |= (uint64_t)1 << a->lane[i];
+    }
+    return done;
+}
+
 void merge_terms(const shading *scene, surfaces *s, painted *p)
 {
+    uint64_t lanes = 0;
+    alike a;
+
     if (!merge_is_possible(scene))
         return;
     for (uint32_t i = 0; i < s->count; i++)
-        if (!paint_is_single(p, i))
+        lanes |= (uint64_t)!paint_is_single(p, i) << i;
+    while (lanes) {
+        const uint32_t i = first_of64(lanes);
+
+        find_alike(scene, s, p, lanes, &a);
+        if (a.count >= ALIKE_LEAST) {
+            const uint64_t done = merge_alike(scene, &a, p, s);
+
+            p->merged |= done;
+            lanes &= ~done;
+        } else {
             p->merged |= (uint64_t)merge(scene, p, i, s) << i;
+            lanes &= lanes - 1;
+        }
+    }
 }

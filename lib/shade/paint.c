@@ -195,15 +195,20 @@ static uint32_t evaluate(const shading *scene, const surfaces *s, painted *p)
     return count;
 }
 
-/* One term for each surface, as a rule in their order. False: not so. */
-static bool are_in_order(painted *p, uint32_t count)
+/* As many terms for each surface, as a rule in their order. False: not so. */
+static bool are_in_order(painted *p, uint32_t each, uint32_t surface_count)
 {
-    for (uint32_t i = 0; i < count; i++) {
-        if (p->terms[i].lane != i)
-            return false;
-        p->order[i] = p->first[i] = i;
+    uint32_t k = 0;
+
+    for (uint32_t i = 0; i < surface_count; i++) {
+        p->first[i] = k;
+        for (uint32_t end = k + each; k < end; k++) {
+            if (p->terms[k].lane != i)
+                return false;
+            p->order[k] = k;
+        }
     }
-    p->first[count] = count;
+    p->first[surface_count] = k;
     return true;
 }
 
@@ -212,7 +217,7 @@ static void sort(painted *p, uint32_t count, uint32_t surface_count)
 {
     uint32_t next[BATCH_MAX];
 
-    if (count == surface_count && are_in_order(p, count))
+    if (surface_count > 0 && count % surface_count == 0 && are_in_order(p, count / surface_count, surface_count))
         return;
     for (uint32_t i = 0; i <= surface_count; i++)
         p->first[i] = 0;
