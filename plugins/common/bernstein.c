@@ -1,7 +1,7 @@
 #include "common/bernstein.h"
 #include "common/local.h"
 
-enum { DEPTH = 52 };
+enum { DEPTH = 52, CERTAIN_DEPTH = 26, MANY = 64 };
 
 /* A root between lo and hi; where a straight line between the values there crosses zero. */
 typedef struct bracket { double lo, hi, start; bool rising; } bracket;
@@ -182,6 +182,91 @@ static void isolate(const double *b, int degree, double noise, double beyond, br
     }
 }
 
+/* ---- certain brackets ---- */
+
+/* Where some signs are open: a single one between two that differ changes nothing. */
+static int count_around_open(const double *b, int degree, double noise)
+{
+    int changes = 0, open = 0, previous = 0;
+
+    for (int i = 0; i <= degree; i++) {
+        const int sign = (b[i] > noise) - (b[i] < -noise);
+
+        if (sign == 0) {
+            open++;
+            continue;
+        }
+        changes += open > (previous == -sign) ? MANY : previous == -sign;
+        previous = sign;
+        open = 0;
+    }
+    return changes + open * MANY;
+}
+
+/* The most sign changes that the errors of the coefficients allow; MANY or more where they leave them open. */
+COMMON_INLINE int count_certain(const double *b, int degree, double noise)
+{
+    double least = fabs(b[0]);
+    int changes = 0;
+
+    for (int i = 1; i <= degree; i++) {
+        least = fabs(b[i]) < least ? fabs(b[i]) : least;
+        changes += (b[i] > 0.0) != (b[i - 1] > 0.0);
+    }
+    return least > noise ? changes : count_around_open(b, degree, noise);
+}
+
+/* As isolate_of(), halved only where the value is certain. Each halving adds the roundings of so many sums. */
+COMMON_INLINE bool isolate_certain_of(const double *b, int degree, double noise, double beyond, brackets *out)
+{
+    const int all = count_certain(b, degree, noise);
+    double more;
+    part stack[CERTAIN_DEPTH + 2], *top = stack;
+
+    if (all == 1)
+        put(out, b, degree, 0.0, 1.0);
+    if (all <= 1)
+        return true;
+    if (!(fabs(b[0]) > noise && fabs(b[degree]) > noise))
+        return false;
+    more = COMMON_U * degree * largest_of(b, degree);
+    for (int i = 0; i <= degree; i++)
+        top->b[i] = b[i];
+    top->lo = 0.0;
+    top->hi = 1.0;
+    top->depth = 0;
+    while (top >= stack) {
+        const double off = noise + top->depth * more;
+        const int changes = count_certain(top->b, degree, off);
+
+        if (changes == 1) {
+            put(out, top->b, degree, top->lo, top->hi);
+            if (top->lo >= beyond)
+                return true;
+        }
+        if (changes <= 1) {
+            top--;
+            continue;
+        }
+        if (top->depth == CERTAIN_DEPTH)
+            return false;
+        halve(top++, degree);
+        if (!(fabs(top->b[degree]) > off + more))
+            return false;
+    }
+    return true;
+}
+
+static bool isolate_certain(const double *b, int degree, double noise, double beyond, brackets *out)
+{
+    switch (degree) {
+    case 3: return isolate_certain_of(b, 3, noise, beyond, out);
+    case 4: return isolate_certain_of(b, 4, noise, beyond, out);
+    case 6: return isolate_certain_of(b, 6, noise, beyond, out);
+    default: return isolate_certain_of(b, degree, noise, beyond, out);
+    }
+}
+
 /* ---- the root ---- */
 
 /* The value is the sum of c[i] u^i v^(n-i), v = 1 - u, and so are the slope and half the second derivative: stable on the whole
@@ -315,4 +400,85 @@ uint32_t common_bernstein_first(const double *b, int degree, double noise, doubl
 uint32_t common_bernstein_roots(const double *b, int degree, double noise, double *root)
 {
     return common_bernstein_first(b, degree, noise, HUGE_VAL, -HUGE_VAL, root);
+}
+
+/* ---- certain roots ---- */
+
+/* Between the ends of the interval, or one on either side of the place between where a quadratic turns. */
+static bool certain_quadratic(const double *b, double noise, common_roots *out)
+{
+    const double square = b[1] * b[1], product = b[0] * b[2], d = square - product, turn = (b[0] - b[1]) / ((b[0] - b[1]) + (b[2] - b[1]));
+    const double off = 2.0 * noise * (2.0 * fabs(b[1]) + fabs(b[0]) + fabs(b[2])) + 4.0 * COMMON_U * (square + fabs(product));
+    const bool ends = fabs(b[0]) > noise && fabs(b[2]) > noise, middle = fabs(b[1]) > noise;
+    double root[2];
+
+    if (!ends || (product > 0.0 && !(middle && b[0] * b[1] > 0.0) && !(fabs(d) > off && (d < 0.0 || middle))))
+        return false;
+    out->count = solve_quadratic(b, noise, root);
+    for (uint32_t i = 0; i < out->count; i++) {
+        const common_root one = { root[i], i == 0 ? 0.0 : turn, i + 1 < out->count ? turn : 1.0, (i == 0) == (b[0] < 0.0), true };
+
+        out->at[i] = one;
+    }
+    return true;
+}
+
+static bool certain_line(const double *b, double noise, common_roots *out)
+{
+    const common_root one = { b[0] / (b[0] - b[1]), 0.0, 1.0, b[0] < 0.0, true };
+
+    out->at[0] = one;
+    out->count = (b[0] > 0.0) != (b[1] > 0.0);
+    return fabs(b[0]) > noise && fabs(b[1]) > noise;
+}
+
+bool common_bernstein_certain(const double *b, int degree, double noise, double beyond, double within, common_roots *out)
+{
+    brackets found;
+    weighted w;
+
+    out->count = 0;
+    if (degree <= 2)
+        return degree == 1 ? certain_line(b, noise, out) : certain_quadratic(b, noise, out);
+    found.count = 0;
+    if (!isolate_certain(b, degree, noise, beyond, &found))
+        return false;
+    for (uint32_t i = 0; i < found.count; i++) {
+        const bracket *one = &found.at[i];
+        common_root *to = &out->at[out->count++];
+
+        to->lo = one->lo;
+        to->hi = one->hi;
+        to->rising = one->rising;
+        to->known = !(one->lo > beyond && one->hi < within);
+        if (i == 0 && to->known)
+            weigh(b, degree, &w);
+        to->x = to->known ? polish(&w, degree, one) : one->start;
+        if (one->lo >= beyond)
+            break;
+    }
+    return true;
+}
+
+COMMON_INLINE double slope_of(const double *b, int degree, double u)
+{
+    const double v = 1.0 - u;
+    double sum = b[1] - b[0], power = u, binomial = degree - 1;
+
+    for (int i = 1; i < degree; i++) {
+        sum = sum * v + binomial * power * (b[i + 1] - b[i]);
+        power *= u;
+        binomial = binomial * (degree - 1 - i) / (i + 1);
+    }
+    return degree * sum;
+}
+
+double common_bernstein_slope(const double *b, int degree, double u)
+{
+    switch (degree) {
+    case 3: return slope_of(b, 3, u);
+    case 4: return slope_of(b, 4, u);
+    case 6: return slope_of(b, 6, u);
+    default: return slope_of(b, degree, u);
+    }
 }

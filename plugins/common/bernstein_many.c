@@ -6,8 +6,8 @@
 enum { N = COMMON_BERNSTEINS, MOST = COMMON_BERNSTEINS_DEGREE, HALVINGS = 8, TURNS = 80 };
 typedef common_by_bernstein lane;
 
-/* The part that is still to be decided. */
-typedef struct parts { lane b[MOST + 1], lo, hi, going; } parts;
+/* The part that is still to be decided; the least size of the coefficients that decided so far, where that is asked. */
+typedef struct parts { lane b[MOST + 1], lo, hi, going, least; } parts;
 
 /* Coefficients of a part of one lane. */
 typedef struct part { double b[MOST + 1]; } part;
@@ -26,6 +26,13 @@ COMMON_INLINE double changes_of(const part *p, int degree, double noise)
     return changes + 0.5 * (1.0 - side * (p->b[degree] >= 0.0 ? 1.0 : -1.0));
 }
 
+COMMON_INLINE double least_of(const part *p, int degree, double least)
+{
+    COMMON_UNROLLED for (int i = 0; i <= degree; i++)
+        least = fabs(p->b[i]) < least ? fabs(p->b[i]) : least;
+    return least;
+}
+
 COMMON_INLINE void halve(const part *p, int degree, part *left, part *right)
 {
     part w = *p;
@@ -38,7 +45,7 @@ COMMON_INLINE void halve(const part *p, int degree, part *left, part *right)
     }
 }
 
-COMMON_INLINE void begin(const common_bernsteins *of, int degree, uint32_t i, parts *w, common_first_of_bernsteins *out)
+COMMON_INLINE void begin(const common_bernsteins *of, int degree, bool certain, uint32_t i, parts *w, common_first_of_bernsteins *out)
 {
     double changes;
     part p;
@@ -49,13 +56,15 @@ COMMON_INLINE void begin(const common_bernsteins *of, int degree, uint32_t i, pa
     w->lo[i] = 0.0;
     w->hi[i] = 1.0;
     w->going[i] = changes > 1.0 ? 1.0 : 0.0;
+    if (certain)
+        w->least[i] = least_of(&p, degree, HUGE_VAL);
     out->found[i] = changes == 1.0 ? 1.0 : 0.0;
     out->more[i] = 0.0;
     out->open[i] = 0.0;
 }
 
 /* Looks at both halves of a lane's part. */
-COMMON_INLINE void advance(const common_bernsteins *of, int degree, uint32_t i, parts *w, common_first_of_bernsteins *out)
+COMMON_INLINE void advance(const common_bernsteins *of, int degree, bool certain, uint32_t i, parts *w, common_first_of_bernsteins *out)
 {
     const double lo = w->lo[i], hi = w->hi[i], middle = 0.5 * (lo + hi), noise = of->noise[i], going = w->going[i];
     const double found = out->found[i], open = out->open[i], more = out->more[i];
@@ -75,6 +84,8 @@ COMMON_INLINE void advance(const common_bernsteins *of, int degree, uint32_t i, 
     w->lo[i] = going > 0.0 ? left > 0.0 ? lo : middle : lo;
     w->hi[i] = going > 0.0 ? left > 0.0 ? middle : hi : hi;
     w->going[i] = here > 1.0 ? going : 0.0;
+    if (certain)
+        w->least[i] = going > 0.0 ? least_of(&b, degree, least_of(&a, degree, w->least[i])) : w->least[i];
     out->found[i] = found + one;
     out->open[i] = open + none * more;
     out->more[i] = left > 0.0 ? more + going * right : more;
@@ -151,44 +162,44 @@ COMMON_INLINE bool is_any(const double *flags)
     return sum[0] + sum[1] + sum[2] + sum[3] > 0.0;
 }
 
-/* A function a degree, whose loops are unrolled. */
-#define OF_DEGREE(d)                                                                                                                  \
-    COMMON_SEPARATE static void begin_##d(const common_bernsteins *restrict of, parts *restrict w, common_first_of_bernsteins *restrict out) \
+/* A function a degree, whose loops are unrolled. certain: it is asked for. */
+#define OF_DEGREE(name, d, certain)                                                                                                   \
+    COMMON_SEPARATE static void begin_##name(const common_bernsteins *restrict of, parts *restrict w, common_first_of_bernsteins *restrict out)\
     {                                                                                                                                 \
         for (uint32_t i = 0; i < N; i++)                                                                                              \
-            begin(of, d, i, w, out);                                                                                                  \
+            begin(of, d, certain, i, w, out);                                                                                         \
     }                                                                                                                                 \
-    COMMON_SEPARATE static void advance_##d(const common_bernsteins *restrict of, parts *restrict w, common_first_of_bernsteins *restrict out) \
+    COMMON_SEPARATE static void advance_##name(const common_bernsteins *restrict of, parts *restrict w, common_first_of_bernsteins *restrict out)\
     {                                                                                                                                 \
         COMMON_LOOP for (uint32_t i = 0; i < N; i++)                                                                                  \
-            advance(of, d, i, w, out);                                                                                                \
+            advance(of, d, certain, i, w, out);                                                                                       \
     }                                                                                                                                 \
-    COMMON_SEPARATE static void place_##d(const common_bernsteins *restrict of, const parts *restrict w,                                \
+    COMMON_SEPARATE static void place_##name(const common_bernsteins *restrict of, const parts *restrict w,                           \
                                         common_first_of_bernsteins *restrict out, polishing *restrict p)                              \
     {                                                                                                                                 \
         for (uint32_t i = 0; i < N; i++)                                                                                              \
             place(of, d, i, w, out, p);                                                                                               \
     }                                                                                                                                 \
-    COMMON_SEPARATE static void step_##d(polishing *restrict p, common_first_of_bernsteins *restrict io)                                \
+    COMMON_SEPARATE static void step_##name(polishing *restrict p, common_first_of_bernsteins *restrict io)                           \
     {                                                                                                                                 \
         COMMON_LOOP for (uint32_t i = 0; i < N; i++)                                                                                  \
             step(d, i, p, io);                                                                                                        \
     }                                                                                                                                 \
-    static void first_##d(const common_bernsteins *of, common_first_of_bernsteins *out)                                               \
+    static void first_##name(const common_bernsteins *of, common_first_of_bernsteins *out)                                            \
     {                                                                                                                                 \
         polishing p;                                                                                                                  \
         parts w;                                                                                                                      \
                                                                                                                                       \
-        begin_##d(of, &w, out);                                                                                                       \
+        begin_##name(of, &w, out);                                                                                                    \
         for (int turn = 0; turn < HALVINGS && is_any(w.going); turn++)                                                                \
-            advance_##d(of, &w, out);                                                                                                 \
+            advance_##name(of, &w, out);                                                                                              \
         for (uint32_t i = 0; i < N; i++)                                                                                              \
-            out->open[i] = w.going[i] > 0.0 ? 1.0 : out->open[i];                                                                     \
+            out->open[i] = w.going[i] > 0.0 || (certain && !(w.least[i] > of->noise[i])) ? 1.0 : out->open[i];                        \
         if (!is_any(out->found))                                                                                                      \
             return;                                                                                                                   \
-        place_##d(of, &w, out, &p);                                                                                                   \
+        place_##name(of, &w, out, &p);                                                                                                \
         for (int turn = 0; turn < TURNS && is_any(p.going); turn++)                                                                   \
-            step_##d(&p, out);                                                                                                        \
+            step_##name(&p, out);                                                                                                     \
         for (uint32_t i = 0; i < N; i++)                                                                                              \
             if (out->found[i] > 0.0 && !(out->root[i] > of->beyond[i])) {                                                             \
                 out->found[i] = 0.0;                                                                                                  \
@@ -196,9 +207,10 @@ COMMON_INLINE bool is_any(const double *flags)
             }                                                                                                                         \
     }
 
-OF_DEGREE(3)
-OF_DEGREE(4)
-OF_DEGREE(6)
+OF_DEGREE(3, 3, false)
+OF_DEGREE(4, 4, false)
+OF_DEGREE(6, 6, false)
+OF_DEGREE(certain, 3, true)
 
 void common_bernstein_first_many(const common_bernsteins *of, int degree, common_first_of_bernsteins *out)
 {
@@ -208,3 +220,5 @@ void common_bernstein_first_many(const common_bernsteins *of, int degree, common
     default: first_6(of, out); break;
     }
 }
+
+void common_bernstein_certain_many(const common_bernsteins *of, common_first_of_bernsteins *out) { first_certain(of, out); }

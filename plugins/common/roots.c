@@ -180,7 +180,7 @@ bool common_isolate(const double *a, double error, int degree, common_range want
 
 static void divide_two(const pov_two *b, int degree, double at, pov_two *left, pov_two *right)
 {
-    pov_two w[COMMON_DEGREE_MAX + 1];
+    pov_two w[COMMON_DEGREE_TWO_MAX + 1];
 
     for (int i = 0; i <= degree; i++)
         w[i] = b[i];
@@ -192,36 +192,42 @@ static void divide_two(const pov_two *b, int degree, double at, pov_two *left, p
     }
 }
 
-static double largest_two(const pov_two *b, int degree)
+/* What the coefficients are off by is divided as they are, with what the roundings of that add. */
+static void divide_off(const pov_two *b, const double *off, int degree, double at, double *left, double *right)
 {
-    double most = 0.0;
+    double w[COMMON_DEGREE_TWO_MAX + 1];
 
     for (int i = 0; i <= degree; i++)
-        most = fmax(most, fabs(b[i].hi));
-    return most;
+        w[i] = off[i] + 0x1p-102 * (degree + 1) * fabs(b[i].hi);
+    for (int k = 0; k <= degree; k++) {
+        left[k] = w[0];
+        right[degree - k] = w[degree - k];
+        for (int i = 0; i < degree - k; i++)
+            w[i] += (w[i + 1] - w[i]) * at;
+    }
 }
 
-static void isolate_two(const pov_two *b, int degree, double error, double lo, double hi, int depth, common_brackets *out)
+static void isolate_two(const pov_two *b, const double *off, int degree, double lo, double hi, int depth, common_brackets *out)
 {
-    pov_two left[COMMON_DEGREE_MAX + 1], right[COMMON_DEGREE_MAX + 1];
-    int sign[COMMON_DEGREE_MAX + 1], changes, i;
-    double more;
+    pov_two left[COMMON_DEGREE_TWO_MAX + 1], right[COMMON_DEGREE_TWO_MAX + 1];
+    double left_off[COMMON_DEGREE_TWO_MAX + 1], right_off[COMMON_DEGREE_TWO_MAX + 1];
+    int sign[COMMON_DEGREE_TWO_MAX + 1], changes, i;
 
     for (i = 0; i <= degree; i++)
-        sign[i] = b[i].hi > error ? 1 : b[i].hi < -error ? -1 : 0;
+        sign[i] = b[i].hi > off[i] ? 1 : b[i].hi < -off[i] ? -1 : 0;
     changes = changes_of(sign, degree);
     if (changes == 1)
         put(out, lo, hi, 0.5, sign[degree] > 0);
     if (changes <= 1)
         return;
-    more = error + 0x1p-102 * (degree + 1) * largest_two(b, degree);
     for (i = 0; depth < DEPTH_TWO && i < CUTS; i++) {
         const double middle = lo + (hi - lo) * cuts[i];
 
         divide_two(b, degree, cuts[i], left, right);
-        if (fabs(left[degree].hi) > 2.0 * more) {
-            isolate_two(left, degree, more, lo, middle, depth + 1, out);
-            isolate_two(right, degree, more, middle, hi, depth + 1, out);
+        divide_off(b, off, degree, cuts[i], left_off, right_off);
+        if (fabs(left[degree].hi) > 2.0 * left_off[degree]) {
+            isolate_two(left, left_off, degree, lo, middle, depth + 1, out);
+            isolate_two(right, right_off, degree, middle, hi, depth + 1, out);
             return;
         }
     }
@@ -231,10 +237,16 @@ static void isolate_two(const pov_two *b, int degree, double error, double lo, d
         put(out, lo, hi, 0.5, sign[degree] > 0);
 }
 
+void common_isolate_bernstein_two(const pov_two *b, const double *off, int degree, common_brackets *out)
+{
+    out->count = 0;
+    isolate_two(b, off, degree, 0.0, 1.0, 0, out);
+}
+
 void common_isolate_two(const pov_two *a, double error, int degree, common_brackets *out)
 {
     pov_two b[COMMON_DEGREE_MAX + 1];
-    double sum = 0.0;
+    double sum = 0.0, off[COMMON_DEGREE_MAX + 1];
 
     out->count = 0;
     for (int i = 0; i <= degree; i++) {
@@ -243,7 +255,9 @@ void common_isolate_two(const pov_two *a, double error, int degree, common_brack
         for (int k = 0; k <= degree; k++)
             b[i] = pov_two_add(b[i], pov_two_mul(a[k], basis[degree - 3][k][i]));
     }
-    isolate_two(b, degree, error + (degree + 4) * 0x1p-101 * sum, -1.0, 1.0, 0, out);
+    for (int i = 0; i <= degree; i++)
+        off[i] = error + (degree + 4) * 0x1p-101 * sum;
+    isolate_two(b, off, degree, -1.0, 1.0, 0, out);
 }
 
 /* ---- the root ---- */

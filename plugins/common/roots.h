@@ -1,4 +1,4 @@
-/* roots.h - certified real roots of a polynomial of degree 3 or 4 on -1..1.
+/* roots.h - certified real roots of a polynomial of degree 3 or 4 on -1..1, and of any degree in double-double.
  *
  * The polynomial is written in the Bernstein basis of the interval, whose coefficients have no more sign changes than there
  * are roots, less an even number (Descartes' rule). No change is no root, one is one root; else the interval is halved
@@ -9,7 +9,7 @@
 
 #include <povtrace/exact.h>
 
-enum { COMMON_DEGREE_MAX = 4, COMMON_ROOTS_MAX = 8 };
+enum { COMMON_DEGREE_MAX = 4, COMMON_DEGREE_TWO_MAX = 35, COMMON_ROOTS_MAX = 36 };
 
 /* One root between lo and hi, where the polynomial is rising or falling; near `start`. */
 typedef struct common_bracket { double lo, hi, start; bool rising; } common_bracket;
@@ -24,6 +24,8 @@ typedef struct common_range { double from, ahead, to; bool first; } common_range
 bool common_isolate(const double *a, double error, int degree, common_range wanted, common_brackets *out);
 /* The same in double-double. */
 void common_isolate_two(const pov_two *a, double error, int degree, common_brackets *out);
+/* Of Bernstein coefficients on 0..1, and what each is off by. */
+void common_isolate_bernstein_two(const pov_two *b, const double *off, int degree, common_brackets *out);
 /* The root by Newton's method kept in its bracket, to about 2^-44 of the interval. */
 double common_polish(const double *a, int degree, const common_bracket *root);
 
