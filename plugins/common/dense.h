@@ -86,4 +86,25 @@ COMMON_INLINE common_sloped common_dense_at(const double *c, int n, pov_vec3 at)
     return s;
 }
 
+/* The sum of the sizes of all terms at a point. */
+COMMON_INLINE double common_dense_size(const double *c, int n, pov_vec3 at)
+{
+    const double x = fabs(at.x), y = fabs(at.y), z = fabs(at.z);
+    double sum = 0.0;
+
+    COMMON_UNROLLED for (int i = n; i >= 0; i--) {
+        double plane = 0.0;
+
+        COMMON_UNROLLED for (int j = n - i; j >= 0; j--) {
+            double row = 0.0;
+
+            COMMON_UNROLLED for (int k = n - i - j; k >= 0; k--)
+                row = row * z + fabs(*c++);
+            plane = plane * y + row;
+        }
+        sum = sum * x + plane;
+    }
+    return sum;
+}
+
 #endif

@@ -2,83 +2,10 @@
 
 #include "common/bernstein.h"
 #include "common/clip.h"
-#include "common/curve.h"
 #include "common/dense.h"
 #include "common/local.h"
 
 enum { MOST = COMMON_ORDER_MAX + 1 };
-
-/* ---- loading ---- */
-
-static uint32_t count_of(int n) { return (uint32_t)((n + 1) * (n + 2) * (n + 3) / 6); }
-
-bool common_polynomial_make(common_polynomial *p, const pov_host *host, pov_reader *in, int order)
-{
-    p->order = order;
-    p->count = count_of(order);
-    p->at = host->alloc(in, p->count * sizeof *p->at);
-    return p->at != NULL;
-}
-
-/* Before it stand the terms of higher powers of x, then those of higher powers of y. */
-uint32_t common_polynomial_place(int order, int i, int j, int k)
-{
-    const int rest = order - i, both = rest - j;
-
-    return (uint32_t)(rest * (rest + 1) * (rest + 2) / 6 + both * (both + 1) / 2 + both - k);
-}
-
-void common_polynomial_read(common_polynomial *p, const pov_host *host, pov_reader *in, int order)
-{
-    if (!common_polynomial_make(p, host, in, order))
-        return;
-    host->accept(in, ",");
-    host->expect(in, "<");
-    for (uint32_t i = 0; i < p->count; i++) {
-        if (i > 0)
-            host->accept(in, ",");
-        p->at[i] = host->number(in);
-    }
-    host->expect(in, ">");
-    common_sturm_read(host, in);
-    common_polynomial_close(p, host, in);
-}
-
-static void list_terms(common_polynomial *p)
-{
-    uint32_t at = 0, row = 0, terms = 0;
-
-    p->highest_x = p->highest_z = -1;
-    for (int i = p->order; i >= 0; i--) {
-        p->highest[i] = -1;
-        for (int j = p->order - i; j >= 0; j--) {
-            p->first[row++] = terms;
-            for (int k = p->order - i - j; k >= 0; k--, at++)
-                if (p->at[at] != 0.0) {
-                    const common_term one = { p->at[at], k };
-
-                    p->term[terms++] = one;
-                    p->highest[i] = j > p->highest[i] ? j : p->highest[i];
-                    p->highest_z = k > p->highest_z ? k : p->highest_z;
-                    p->highest_x = i > p->highest_x ? i : p->highest_x;
-                }
-        }
-    }
-    p->first[row] = terms;
-}
-
-void common_polynomial_close(common_polynomial *p, const pov_host *host, pov_reader *in)
-{
-    const uint32_t n = (uint32_t)p->order;
-
-    p->term = host->alloc(in, p->count * sizeof *p->term);
-    p->first = host->alloc(in, ((n + 1) * (n + 2) / 2 + 1) * sizeof *p->first);
-    p->highest = host->alloc(in, (n + 1) * sizeof *p->highest);
-    if (!p->term || !p->first || !p->highest)
-        return;
-    list_terms(p);
-    p->bounded = common_polynomial_find_box(p, &p->box);
-}
 
 bool common_polynomial_bounds(const void *self, pov_box *out)
 {
@@ -92,63 +19,14 @@ bool common_polynomial_bounds(const void *self, pov_box *out)
 /* ---- along a ray ---- */
 
 /* Polynomials in the distance have n + 1 coefficients, of which the last ones may be zero. */
-
-/* s = s (o + d t). */
-COMMON_INLINE void times(double *s, int n, double o, double d)
-{
-    for (int i = n; i > 0; i--)
-        s[i] = s[i] * o + s[i - 1] * d;
-    s[0] *= o;
-}
-
-/* s += a c. */
-COMMON_INLINE void add(double *s, int n, const double *a, double c)
-{
-    for (int i = 0; i <= n; i++)
-        s[i] += a[i] * c;
-}
-
-/* The powers of z along the ray, one after the other. */
-COMMON_INLINE void find_powers(double *power, int n, int highest, double o, double d)
-{
-    for (int i = 0; i <= n; i++)
-        power[i] = i == 0 ? 1.0 : 0.0;
-    for (int k = 1; k <= highest; k++) {
-        for (int i = 0; i <= n; i++)
-            power[k * (n + 1) + i] = power[(k - 1) * (n + 1) + i];
-        times(power + k * (n + 1), n, o, d);
-    }
-}
-
-/* Horner's scheme in x, of which each coefficient is one in y, of which each is a sum of powers of z. */
-COMMON_INLINE void along_of(const common_polynomial *p, int n, pov_vec3 o, pov_vec3 d, double *power, double *out)
-{
-    const common_term *term = p->term;
-
-    find_powers(power, n, p->highest_z, o.z, d.z);
-    for (int i = 0; i <= n; i++)
-        out[i] = 0.0;
-    for (int i = p->highest_x; i >= 0; i--) {
-        const uint32_t row = (uint32_t)((n - i) * (n - i + 1) / 2 + n - i);   /* of j = 0 */
-        double y[MOST];
-
-        if (i < p->highest_x)
-            times(out, n, o.x, d.x);
-        if (p->highest[i] < 0)
-            continue;
-        for (int k = 0; k <= n; k++)
-            y[k] = 0.0;
-        for (int j = p->highest[i]; j >= 0; j--) {
-            const common_term *end = p->term + p->first[row - (uint32_t)j + 1];
-
-            if (j < p->highest[i])
-                times(y, n, o.y, d.y);
-            for (; term < end; term++)
-                add(y, n, power + term->k * (n + 1), term->c);
-        }
-        add(out, n, y, 1.0);
-    }
-}
+#define LINE(name) line_##name
+#define LINE_NUMBER double
+#define LINE_VECTOR pov_vec3
+#define LINE_OF(x) (x)
+#define LINE_ADD(a, b) ((a) + (b))
+#define LINE_MUL(a, b) ((a) * (b))
+#define LINE_BY(a, c) ((a) * (c))
+#include "common/polynomial_line.h"
 
 /* The loops of order 6 are unrolled. */
 static void along(const common_polynomial *p, pov_vec3 o, pov_vec3 d, double *out)
@@ -159,8 +37,8 @@ static void along(const common_polynomial *p, pov_vec3 o, pov_vec3 d, double *ou
     case 2: common_dense_along(p->at, 2, o, d, out); break;
     case 3: common_dense_along(p->at, 3, o, d, out); break;
     case 4: common_dense_along(p->at, 4, o, d, out); break;
-    case 6: along_of(p, 6, o, d, small, out); break;
-    default: along_of(p, p->order, o, d, power, out); break;
+    case 6: line_along(p, 6, 6, o, d, small, out); break;
+    default: line_along(p, p->order, p->order, o, d, power, out); break;
     }
 }
 
@@ -196,7 +74,7 @@ static int middle_size(const double *c, int degree)
 
 /* Where the highest powers hardly count among the other roots, theirs are much farther: the length is that of the others. So it is
  * along a line that the surface comes near to at infinity. */
-static double near_size(const double *c, int degree)
+double common_polynomial_near(const double *c, int degree)
 {
     enum { NEGLIGIBLE = 20 };
     int top = degree, size = middle_size(c, degree);
@@ -212,147 +90,6 @@ static double near_size(const double *c, int degree)
         size = smaller;
     }
     return ldexp(1.0, size);
-}
-
-typedef struct search { const common_ray *k; double base, start; bool from_here; pov_hits *hits; } search;
-
-static bool report(const search *s, double t)
-{
-    const pov_two at = pov_two_sum(s->base, t);
-    const pov_mark mark = { 0, 0, 0.0, 0.0 };
-
-    if (!isfinite(at.hi * s->k->unit))
-        return true;
-    return pov_cross(s->hits, at.hi * s->k->unit, at.lo * s->k->unit, mark);
-}
-
-/* Do the ray's crossings end before a local distance, from its start? */
-static bool ends_before(const search *s, double t)
-{
-    return t * s->k->unit * (1.0 - 0x1p-40) > s->hits->tmax + s->hits->slack;
-}
-
-/* Roots from 0 to `size` (negative: towards the past), or from there to infinity. *left: how many there may be. False: nothing more
- * is wanted. */
-static bool search_part(const search *s, const double *c, int degree, double size, bool beyond, int *left)
-{
-    double a[MOST], b[MOST], root[MOST], power = 1.0, sum = 0.0;
-    uint32_t found;
-
-    for (int i = 0; i <= degree; i++) {
-        a[beyond ? degree - i : i] = c[i] * power;
-        sum += fabs(c[i] * power);
-        power *= size;
-    }
-    common_bernstein(a, degree, b);
-    found = common_bernstein_roots(b, degree, (degree + 4) * 0x1p-51 * sum, root);
-    *left -= (int)found;
-    for (uint32_t i = 0; i < found; i++)
-        if (!report(s, beyond ? size / root[i] : size * root[i]))
-            return false;
-    return true;
-}
-
-/* No more roots are ahead, or behind, than the coefficients change their sign there (Descartes' rule). */
-static int most_roots(const double *c, int degree, bool behind)
-{
-    bool above = c[0] > 0.0;
-    int changes = 0;
-
-    if (c[0] == 0.0)
-        return degree + 1;
-    for (int i = 1; i <= degree; i++)
-        if (c[i] != 0.0 && ((c[i] > 0.0) != (behind && i % 2 != 0)) != above) {
-            above = !above;
-            changes++;
-        }
-    return changes;
-}
-
-static void search_line(const search *s, const double *c, int degree)
-{
-    int ahead, behind;
-    double size;
-
-    while (degree > 0 && c[degree] == 0.0)
-        degree--;
-    ahead = ends_before(s, s->base) ? 0 : most_roots(c, degree, false);
-    behind = s->start < 0.0 ? most_roots(c, degree, true) : 0;
-    if (degree < 1 || ahead + behind == 0)
-        return;
-    size = near_size(c, degree);
-    if (behind > 0 && !search_part(s, c, degree, -size, false, &behind))
-        return;
-    if (behind > 0 && s->start < -size && !search_part(s, c, degree, -size, true, &behind))
-        return;
-    if (ahead > 0 && !ends_before(s, s->base) && search_part(s, c, degree, size, false, &ahead) && ahead > 0 && !ends_before(s, s->base + size))
-        search_part(s, c, degree, size, true, &ahead);
-}
-
-/* Of what is bounded only the stretch within the box counts. The root that a ray starts on is at 0: it is divided out. */
-static void search_stretch(search *s, const common_polynomial *p, double lo, double hi)
-{
-    double c[MOST], b[MOST], root[MOST], sum = 0.0;
-    const int degree = p->order - s->from_here;
-    const double length = hi - lo, per_length = 1.0 / length;
-    const common_wanted wanted = common_wants(s->k, lo, 0.0, s->hits);
-    uint32_t found;
-
-    s->base = lo;
-    along(p, common_along(s->k, lo), pov_scale(s->k->d, length), c);
-    for (int i = 0; i <= degree; i++)
-        sum += fabs(c[i + s->from_here]);
-    common_bernstein(c + s->from_here, degree, b);
-    found = common_bernstein_first(b, degree, (degree + 4) * 0x1p-51 * sum, wanted.enough * per_length, wanted.within * per_length, root);
-    for (uint32_t i = 0; i < found; i++)
-        if (!report(s, root[i] * length))
-            return;
-}
-
-static void search_box(search *s, const common_polynomial *p, const pov_hits *hits)
-{
-    common_span span;
-
-    if (!common_clip(s->k, p->box.lo, p->box.hi, &span) || span.hi < 0.0 || span.lo * s->k->unit > hits->tmax)
-        return;
-    if (!s->from_here)
-        search_stretch(s, p, span.lo, span.hi);
-    else
-        search_stretch(s, p, 0.0, span.hi);
-}
-
-void common_polynomial_intersect(const void *self, const pov_ray *ray, pov_hits *hits)
-{
-    static const pov_vec3 zero = { 0.0, 0.0, 0.0 };
-    const common_polynomial *p = self;
-    const common_ray k = common_enter(ray, pov_two3_of(zero, zero), 1.0);
-    search s = { &k, 0.0, 0.0, ray->origin_surface == hits->owner, hits };
-    double c[MOST];
-
-    if (p->bounded) {
-        search_box(&s, p, hits);
-        return;
-    }
-    if (!s.from_here)
-        s.base = -pov_dot(pov_two3_hi(k.f), k.d) / pov_dot(k.d, k.d);
-    s.start = -s.base;
-    along(p, common_along(&k, s.base), k.d, c);
-    /* The root that a ray starts on is at 0: it is divided out. */
-    search_line(&s, c + s.from_here, p->order - s.from_here);
-}
-
-void common_polynomial_intersect_between(const void *self, const pov_ray *ray, pov_hits *hits)
-{
-    static const pov_vec3 zero = { 0.0, 0.0, 0.0 };
-    const common_polynomial *p = self;
-    const common_ray k = common_enter(ray, pov_two3_of(zero, zero), 1.0);
-    search s = { &k, 0.0, 0.0, ray->origin_surface == hits->owner, hits };
-    const double lo = s.from_here ? 0.0 : hits->tmin * k.per_unit * (1.0 - 0x1p-40), hi = hits->tmax * k.per_unit * (1.0 + 0x1p-40);
-
-    if (p->bounded || !isfinite(hi))
-        common_polynomial_intersect(self, ray, hits);
-    else
-        search_stretch(&s, p, lo, hi);
 }
 
 /* ---- points ---- */
@@ -404,6 +141,19 @@ COMMON_INLINE double dense_at(const double *c, int n, pov_vec3 at, pov_vec3 *out
     return s.value;
 }
 
+/* Without its slope. */
+static double plain_value(const common_polynomial *p, pov_vec3 at)
+{
+    pov_vec3 unused;
+
+    switch (p->order) {
+    case 2: return common_dense_at(p->at, 2, at).value;
+    case 3: return common_dense_at(p->at, 3, at).value;
+    case 4: return common_dense_at(p->at, 4, at).value;
+    default: return sparse_at(p, at, &unused);
+    }
+}
+
 static double value_at(const common_polynomial *p, pov_vec3 at, pov_vec3 *out)
 {
     switch (p->order) {
@@ -414,11 +164,366 @@ static double value_at(const common_polynomial *p, pov_vec3 at, pov_vec3 *out)
     }
 }
 
+/* ---- roots ---- */
+
+/* Coefficients about a base, and on the whole line what each is off by. */
+typedef struct search {
+    const common_polynomial *p;
+    const common_ray *k;
+    pov_vec3 from;
+    double base, start, c[MOST + 1], off[MOST + 1];
+    bool from_here;
+    pov_hits *hits;
+} search;
+
+/* A part of the line: x = t / size from 0 to 1, or where it is beyond that x = size / t, with negative sizes towards the past. `b`, each off by
+ * `noise`, is what is left where the root that a ray starts on is divided out, in t / unit; `sizes`: of the terms. */
+typedef struct part { double size, unit, noise, sizes, b[MOST]; int degree; bool beyond; } part;
+
+static double distance_of(const part *of, double x) { return of->beyond ? of->size / x : of->size * x; }
+
+/* A root of the polynomial in x as one of that along the ray. */
+static common_polynomial_root root_of(const search *s, const part *of, double x)
+{
+    common_polynomial_root r = { s->base, distance_of(of, x), common_bernstein_slope(of->b, of->degree, x) / of->size, of->sizes, fabs(of->size) };
+
+    if (of->beyond) {
+        r.length = fabs(r.t);
+        r.size = common_polynomial_size(s->p, common_polynomial_reach(s->k, s->from, r.length));
+        r.slope *= -x * x;
+        for (int i = 0; i < of->degree; i++)
+            r.slope /= x;
+    }
+    if (s->from_here)
+        r.slope *= r.t / of->unit;
+    return r;
+}
+
+/* Of one that is known for where it is: certainly in the interval, where that is enough? */
+static bool is_enough(const search *s, double t)
+{
+    const double at = (s->base + t) * s->k->unit, off = 0x1p-40 * (fabs(at) + fabs(s->base) * s->k->unit);
+
+    return s->hits->want == POV_WANT_ANY && at - off > s->hits->tmin && at + off + s->hits->slack < s->hits->tmax;
+}
+
+/* The sum of the sizes of all terms at a point, with what the ray's distance adds to its coordinates. */
+static double sizes_at(const common_polynomial *p, pov_vec3 at, double far)
+{
+    const pov_vec3 w = pov_vec3_of(fabs(at.x) + far, fabs(at.y) + far, fabs(at.z) + far);
+
+    switch (p->order) {
+    case 3: return common_dense_size(p->at, 3, w);
+    case 4: return common_dense_size(p->at, 4, w);
+    default: return common_polynomial_size(p, pov_largest(w));
+    }
+}
+
+/* With a bound of the sizes that is found in no time, or else with the sizes. */
+static bool is_good(const search *s, const common_polynomial_root *r)
+{
+    const pov_two at = pov_two_sum(r->base, r->t);
+    const pov_vec3 point = common_polynomial_point(s->k, at);
+    const double far = common_far_slack(s->k), reach = pov_largest(point) + far, value = plain_value(s->p, point);
+    const double step = common_polynomial_allowed(s->p, at.hi, reach);
+
+    return common_polynomial_trust(s->p, r, value, common_polynomial_size(s->p, reach), step) > 0.0 ||
+           common_polynomial_trust(s->p, r, value, sizes_at(s->p, point, far), step) > 0.0;
+}
+
+static bool report(const search *s, const part *of, const common_root *found)
+{
+    pov_two t = { distance_of(of, found->x), 0.0 };
+    uint32_t flags = 0;
+
+    if (!isfinite(t.hi * s->k->unit))
+        return true;
+    if (found->known && !is_enough(s, t.hi)) {
+        const common_polynomial_root r = root_of(s, of, found->x);
+
+        if (!is_good(s, &r)) {
+            const double one = distance_of(of, found->lo), other = distance_of(of, found->hi);
+            const bool rising = found->rising == ((of->size < 0.0) == of->beyond);
+
+            t = common_polynomial_complete(s->p, s->k, &r, fmin(one, other), fmax(one, other), rising);
+            flags = POV_MARK_ESCALATED;
+        }
+    }
+    return common_polynomial_report(s->k, pov_two_add_double(t, s->base), flags, s->hits);
+}
+
+/* Do the ray's crossings end before a local distance, from its start? */
+static bool ends_before(const search *s, double t)
+{
+    return t * s->k->unit * (1.0 - 0x1p-40) > s->hits->tmax + s->hits->slack;
+}
+
+/* What a search of a part ends with: OPEN, where double leaves it so. */
+typedef enum outcome { OPEN, ENOUGH, MORE } outcome;
+
+/* *left: how many roots there may be. */
+static outcome search_part(const search *s, int degree, double size, bool beyond, int *left)
+{
+    const double *c = s->c + s->from_here;
+    double a[MOST], power = 1.0;
+    common_roots found;
+    part of;
+
+    of.size = size;
+    of.unit = 1.0;
+    of.degree = degree;
+    of.beyond = beyond;
+    of.noise = 0.0;
+    for (int i = 0; i <= degree; i++) {
+        a[beyond ? degree - i : i] = c[i] * power;
+        of.noise += s->off[i + s->from_here] * fabs(power);
+        power *= size;
+    }
+    of.sizes = of.noise / s->p->off;
+    common_bernstein(a, degree, of.b);
+    if (!common_bernstein_certain(of.b, degree, of.noise, HUGE_VAL, -HUGE_VAL, &found))
+        return OPEN;
+    *left -= (int)found.count;
+    for (uint32_t i = 0; i < found.count; i++)
+        if (!report(s, &of, &found.at[i]))
+            return ENOUGH;
+    return MORE;
+}
+/* No more roots are ahead, or behind, than the coefficients change their sign there (Descartes' rule), those that are open in the way
+ * that makes most of it. */
+static int most_roots(const search *s, int degree, bool behind)
+{
+    const double *c = s->c + s->from_here, *off = s->off + s->from_here;
+    bool above = c[0] > 0.0, open = !(fabs(c[0]) > off[0]);
+    int changes = 0;
+
+    for (int i = 1; i <= degree; i++) {
+        open |= !(fabs(c[i]) > off[i]);
+        if (((c[i] > 0.0) != (behind && i % 2 != 0)) != above) {
+            above = !above;
+            changes++;
+        }
+    }
+    return open ? degree : changes;
+}
+
+/* What the coefficients are off by: those of the one polynomial in the largest coordinate that has the sizes of all. */
+static void find_off(search *s)
+{
+    const double reach = common_polynomial_reach(s->k, s->from, 0.0), speed = pov_largest(s->k->d);
+    const int n = s->p->order;
+
+    for (int i = 0; i <= n; i++)
+        s->off[i] = 0.0;
+    for (int m = n; m >= 0; m--) {
+        line_times(s->off, n - m, reach, speed);
+        s->off[0] += s->p->size[m];
+    }
+    for (int i = 0; i <= n; i++)
+        s->off[i] *= s->p->off;
+}
+
+/* The highest power along a direction, of which some components are zero. */
+static int degree_along(const common_polynomial *p, pov_vec3 d)
+{
+    int most = 0;
+    uint32_t at = 0;
+
+    for (int i = p->order; i >= 0; i--)
+        for (int j = p->order - i; j >= 0; j--)
+            for (int k = p->order - i - j; k >= 0; k--, at++) {
+                const int degree = (d.x != 0.0 ? i : 0) + (d.y != 0.0 ? j : 0) + (d.z != 0.0 ? k : 0);
+
+                most = p->at[at] != 0.0 && degree > most ? degree : most;
+            }
+    return most;
+}
+
+/* From there on coefficients are zero, and certainly so. */
+static int degree_of(const search *s)
+{
+    int degree = s->p->order;
+
+    while (degree > 0 && s->c[degree] == 0.0)
+        degree--;
+    if (degree == s->p->order)
+        return degree;
+    return degree_along(s->p, pov_vec3_of(s->k->d.x != 0.0 ? 1.0 : s->k->d_lo.x, s->k->d.y != 0.0 ? 1.0 : s->k->d_lo.y,
+                                          s->k->d.z != 0.0 ? 1.0 : s->k->d_lo.z));
+}
+
+/* A start is off the root that it stands for by the first coefficient over the second: what is left of the coefficients once that root is
+ * divided out is off by no more than that part of all. False: another root may be meant. */
+static bool leave(const double *c, double sizes, double *noise)
+{
+    if (!(8.0 * (fabs(c[0]) + *noise) * sizes <= c[1] * c[1]))
+        return false;
+    *noise += 2.0 * fabs(c[0] / c[1]) * sizes;
+    return true;
+}
+
+/* The same of each coefficient by itself. */
+static bool leave_line(search *s)
+{
+    const double per = 1.0 / s->p->off, start = fabs(s->c[0] / s->c[1]), first = fabs(s->c[0]) + s->off[0];
+    double more = 0.0;
+
+    for (int i = s->p->order; i > 1; i--) {
+        const double size = s->off[i] * per + more;
+
+        s->off[i] += 2.0 * more;
+        more = start * size;
+        if (i == 2 && !(8.0 * first * size <= s->c[1] * s->c[1]))
+            return false;
+    }
+    s->off[1] += 2.0 * more;
+    return true;
+}
+
+static outcome search_line(search *s)
+{
+    const int degree = degree_of(s) - s->from_here;
+    int ahead, behind;
+    double size;
+    outcome found = MORE;
+
+    if (degree < 1)
+        return ENOUGH;
+    if (s->from_here && !leave_line(s))
+        return OPEN;
+    ahead = ends_before(s, s->base) ? 0 : most_roots(s, degree, false);
+    behind = s->start < 0.0 ? most_roots(s, degree, true) : 0;
+    if (ahead + behind == 0)
+        return ENOUGH;
+    size = common_polynomial_near(s->c + s->from_here, degree);
+    if (behind > 0)
+        found = search_part(s, degree, -size, false, &behind);
+    if (found == MORE && behind > 0 && s->start < -size)
+        found = search_part(s, degree, -size, true, &behind);
+    if (found == MORE && ahead > 0 && !ends_before(s, s->base))
+        found = search_part(s, degree, size, false, &ahead);
+    if (found == MORE && ahead > 0 && !ends_before(s, s->base + size))
+        found = search_part(s, degree, size, true, &ahead);
+    return found;
+}
+
+/* In double-double, and not what was found on the way. */
+static void escalate(const search *s, const pov_ray *ray, uint32_t count)
+{
+    if (s->hits->want == POV_WANT_ALL)
+        s->hits->count = count;
+    common_polynomial_intersect_two(s->p, ray, s->hits);
+}
+
+/* Where there are terms of these sizes. The root that a ray starts on is at 0: it is divided out. */
+static outcome search_stretch(search *s, double lo, double hi, double sizes)
+{
+    const double length = hi - lo, per_length = 1.0 / length;
+    const common_wanted wanted = common_wants(s->k, lo, 0.0, s->hits);
+    common_roots found;
+    part of;
+
+    s->base = lo;
+    along(s->p, s->from, pov_scale(s->k->d, length), s->c);
+    of.size = of.unit = length;
+    of.sizes = sizes;
+    of.noise = s->p->off * of.sizes;
+    of.degree = s->p->order - s->from_here;
+    of.beyond = false;
+    if (s->from_here && !leave(s->c, of.sizes, &of.noise))
+        return OPEN;
+    common_bernstein(s->c + s->from_here, of.degree, of.b);
+    if (!common_bernstein_certain(of.b, of.degree, of.noise, wanted.enough * per_length, wanted.within * per_length, &found))
+        return OPEN;
+    for (uint32_t i = 0; i < found.count; i++)
+        if (!report(s, &of, &found.at[i]))
+            break;
+    return ENOUGH;
+}
+
+/* Of what is bounded only the stretch within the box counts. */
+static outcome search_box(search *s)
+{
+    common_span span;
+    double lo;
+
+    if (!common_clip(s->k, s->p->box.lo, s->p->box.hi, &span) || span.hi < 0.0 || span.lo * s->k->unit > s->hits->tmax)
+        return ENOUGH;
+    lo = s->from_here ? 0.0 : span.lo;
+    s->from = common_along(s->k, lo);
+    return lo < 0x1p40 * s->p->wide ? search_stretch(s, lo, span.hi, s->p->sizes) : OPEN;
+}
+
+static outcome search_between(search *s, double lo, double hi)
+{
+    s->from = common_along(s->k, lo);
+    return search_stretch(s, lo, hi, common_polynomial_size(s->p, common_polynomial_reach(s->k, s->from, hi - lo)));
+}
+
+/* On the whole line, about the place nearest to the origin. */
+static outcome search_all(search *s)
+{
+    if (!s->from_here)
+        s->base = -pov_dot(pov_two3_hi(s->k->f), s->k->d) / pov_dot(s->k->d, s->k->d);
+    s->start = -s->base;
+    s->from = common_along(s->k, s->base);
+    along(s->p, s->from, s->k->d, s->c);
+    find_off(s);
+    return search_line(s);
+}
+
+static void begin(search *s, const common_polynomial *p, const common_ray *k, const pov_ray *ray, pov_hits *hits)
+{
+    s->p = p;
+    s->k = k;
+    s->base = 0.0;
+    s->from_here = ray->origin_surface == hits->owner;
+    s->hits = hits;
+}
+
+void common_polynomial_intersect(const void *self, const pov_ray *ray, pov_hits *hits)
+{
+    static const pov_vec3 zero = { 0.0, 0.0, 0.0 };
+    const common_polynomial *p = self;
+    const common_ray k = common_enter(ray, pov_two3_of(zero, zero), 1.0);
+    const uint32_t count = hits->count;
+    search s;
+
+    begin(&s, p, &k, ray, hits);
+    if (hits->always_exact || (p->bounded ? search_box(&s) : search_all(&s)) == OPEN)
+        escalate(&s, ray, count);
+}
+
+void common_polynomial_intersect_between(const void *self, const pov_ray *ray, pov_hits *hits)
+{
+    static const pov_vec3 zero = { 0.0, 0.0, 0.0 };
+    const common_polynomial *p = self;
+    const common_ray k = common_enter(ray, pov_two3_of(zero, zero), 1.0);
+    const uint32_t count = hits->count;
+    double lo, hi;
+    search s;
+
+    begin(&s, p, &k, ray, hits);
+    lo = s.from_here ? 0.0 : hits->tmin * k.per_unit * (1.0 - 0x1p-40);
+    hi = hits->tmax * k.per_unit * (1.0 + 0x1p-40);
+    if (p->bounded || !isfinite(hi))
+        common_polynomial_intersect(self, ray, hits);
+    else if (hits->always_exact || search_between(&s, lo, hi) == OPEN)
+        escalate(&s, ray, count);
+}
+
+/* ---- the class ---- */
+
 bool common_polynomial_inside(const void *self, pov_vec3 point, pov_vec3 point_lo)
 {
+    const common_polynomial *p = self;
+    const pov_vec3 at = pov_add(point, point_lo);
     pov_vec3 slope;
+    const double value = value_at(p, at, &slope);
 
-    return value_at(self, pov_add(point, point_lo), &slope) <= 0.0;
+    if (fabs(value) > common_polynomial_value_off(p, common_polynomial_size(p, pov_largest(at))))
+        return value < 0.0;
+    return common_polynomial_is_inside_two(p, pov_two3_of(point, point_lo));
 }
 
 void common_polynomial_normal(const void *self, const pov_ray *ray, const pov_crossing *at, pov_vec3 *out)

@@ -18,8 +18,12 @@ typedef struct common_polynomial {
     uint32_t *first;             /* by row, in the order of the coefficients */
     int *highest;                /* by i, the largest j that is there; -1: none */
     int highest_x, highest_z;
+    double *size;                /* by i + j + k, the sum of the sizes of the coefficients */
+    double off;                  /* what coefficients along a ray are off by, in sums of the sizes of their terms */
     bool bounded;                /* all of the surface, and of what is inside, is in the box */
     pov_box box;
+    double wide, reach;          /* its largest side, and no less than any coordinate and a side together */
+    double sizes;                /* of the terms up to there */
 } common_polynomial;
 
 /* Memory for all coefficients, zero. False after an error. */
@@ -33,6 +37,74 @@ void common_polynomial_read(common_polynomial *p, const pov_host *host, pov_read
 void common_polynomial_close(common_polynomial *p, const pov_host *host, pov_reader *in);
 /* Looks for a box around it. False: none was found. */
 bool common_polynomial_find_box(const common_polynomial *p, pov_box *out);
+
+/* ---- along a ray ---- */
+
+/* No less than the sum of the sizes of all terms where no coordinate is larger than `reach`. */
+static inline double common_polynomial_size(const common_polynomial *p, double reach)
+{
+    double sum = p->size[p->order];
+
+    for (int m = p->order - 1; m >= 0; m--)
+        sum = sum * reach + p->size[m];
+    return sum;
+}
+
+/* No coordinate is larger along a stretch, with what rounding makes of where it begins. */
+static inline double common_polynomial_reach(const common_ray *k, pov_vec3 from, double length)
+{
+    return pov_largest(from) + pov_largest(k->d) * length + common_far_slack(k);
+}
+
+/* For coefficients along a ray, a power of two about as large as the nearer roots are. */
+double common_polynomial_near(const double *c, int degree);
+
+/* A crossing as double has it, at a distance t from a base, and the slope there along the ray. On a stretch of that length, `size` is no less
+ * than the sum of the terms' sizes. */
+typedef struct common_polynomial_root { double base, t, slope, size, length; } common_polynomial_root;
+
+/* What a distance may be off by, from the start of the ray at a point. */
+COMMON_INLINE double common_polynomial_allowed(const common_polynomial *p, double at, double reach)
+{
+    const double wide = reach < p->wide ? reach : p->wide, near = 0x1p-48 * fabs(at), all = 0x1p-44 * wide;
+
+    return near < all ? near : all;
+}
+
+/* A value at a point that was rounded twice is off by n sums and n products of Horner's schemes, and 2 n factors; one more is for what those
+ * make of each other. */
+COMMON_INLINE double common_polynomial_value_off(const common_polynomial *p, double sizes) { return COMMON_U * (4.0 * p->order + 1.0) * sizes; }
+
+/* By the value at the crossing: is the distance certainly as good as is allowed? Where the slope is known to a half, and so far does not change
+ * by more. Above 0: yes. */
+COMMON_INLINE double common_polynomial_trust(const common_polynomial *p, const common_polynomial_root *r, double value, double sizes, double step)
+{
+    const double n = p->order, per = 1.0 / r->length, slope = fabs(r->slope);
+    const double straight = slope > n * r->size * per * (2.0 * n * per * step + 4.0 * p->off) ? 1.0 : 0.0;
+
+    return fabs(value) + common_polynomial_value_off(p, sizes) <= 0.5 * step * slope ? straight : 0.0;
+}
+
+/* The point at a distance. */
+COMMON_INLINE pov_vec3 common_polynomial_point(const common_ray *k, pov_two at)
+{
+    const pov_vec3 w = common_along(k, at.hi);
+
+    return pov_vec3_of(w.x + at.lo * k->d.x, w.y + at.lo * k->d.y, w.z + at.lo * k->d.z);
+}
+
+/* The distance from the base in double-double: the only root between lo and hi. */
+pov_two common_polynomial_complete(const common_polynomial *p, const common_ray *k, const common_polynomial_root *root, double lo, double hi, bool rising);
+bool common_polynomial_is_inside_two(const common_polynomial *p, pov_two3 at);
+/* All crossings. */
+void common_polynomial_intersect_two(const common_polynomial *p, const pov_ray *ray, pov_hits *hits);
+/* A crossing in the ray's local units. False: nothing more is wanted. */
+static inline bool common_polynomial_report(const common_ray *k, pov_two at, uint32_t flags, pov_hits *hits)
+{
+    const pov_mark mark = { 0, flags, 0.0, 0.0 };
+
+    return pov_cross(hits, at.hi * k->unit, at.lo * k->unit, mark);
+}
 
 /* Functions of the class. */
 bool common_polynomial_bounds(const void *self, pov_box *out);
@@ -52,7 +124,7 @@ bool common_polynomial_inside(const void *self, pov_vec3 point, pov_vec3 point_l
     static const void *extension(const char *name) { return common_is_fast(name) ? &fast : NULL; }                         \
     static const pov_shape_class word##_class = {                                                                          \
         .size = sizeof(pov_shape_class),                                                                                   \
-        .flags = POV_SHAPE_SOLID,                                                                                          \
+        .flags = POV_SHAPE_SOLID | POV_SHAPE_CERTIFIED,                                                                                      \
         .keyword = #word,                                                                                                  \
         .instance_size = sizeof(common_polynomial),                                                                        \
         .parse = reader,                                                                                                   \
