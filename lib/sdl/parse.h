@@ -41,6 +41,7 @@ typedef struct object_parsed {
     struct object_parsed *first, *next;   /* members of a group, in their order */
     const texture *const *parts; /* textures of parts of a leaf */
     uint32_t part_count;
+    bool both_sides;             /* the parts are seen from the back as from the front */
     struct object_parsed *clips;          /* the surface is seen where these are */
     struct object_parsed *bounds;         /* of bounded_by, which only clipped_by { bounded_by } asks for */
     const transform *since;      /* of one that clips or belongs to a light: their map when it was written, which does not move it */
@@ -109,6 +110,7 @@ typedef struct part_list {
     surface_parsed component;    /* what was read of the texture of a component, */
     size_t before;               /* how many there are without it, */
     bool textured, stale;        /* whether anything was, and whether it has changed since it has its number */
+    bool of_components;          /* those of components are seen from both sides */
 } part_list;
 void parse_parts_begin(pov_reader *in, part_list *parts);
 void parse_parts_end(pov_reader *in, part_list *parts, object_parsed *o);

@@ -156,7 +156,7 @@ static bool add_leaf(pov_reader *in, const object_parsed *o, const around *a, no
         moves = parse_count_transforms(leaf.map);
     }
     leaf.flags = find_flags(o, a);
-    s.inside = find_inside(in, o, a, s.inside);
+    s.inside = o->both_sides ? NULL : find_inside(in, o, a, s.inside);
     parse_surface_material(in, &s, &m);
     m.interior.media = find_media(in, o, a, m.interior.media);
     leaf.flags |= m.needs_uv ? LEAF_UV : 0;

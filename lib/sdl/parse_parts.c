@@ -28,6 +28,7 @@ void parse_parts_end(pov_reader *in, part_list *parts, object_parsed *o)
         memcpy(kept, parts->items, bytes);
     o->parts = kept;
     o->part_count = kept ? (uint32_t)parts->count : 0;
+    o->both_sides = parts->of_components;
     env_free(in->model->env, parts->items);
 }
 
@@ -101,6 +102,7 @@ bool parse_component_texture(pov_reader *in, uint32_t *number)
     while (!in->failed && read_part(in, &parts->component))
         read = true;
     parts->textured |= read;
+    parts->of_components |= read;
     if (read || parts->stale) {
         parts->count = parts->before;
         *number = number_of(in, &parts->component);
