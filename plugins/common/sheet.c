@@ -130,6 +130,13 @@ typedef struct visit {
     bool entered;
 } visit;
 
+static bool is_in_sphere(const common_sheet *s, pov_vec3 p)
+{
+    const pov_vec3 off = pov_sub(p, pov_scale(pov_add(s->box.lo, s->box.hi), 0.5));
+
+    return s->radius == 0.0 || pov_dot(off, off) <= s->radius * s->radius;
+}
+
 /* Of a surface with a container: is the crossing within it? */
 static bool is_within(visit *v, const pov_vec3 *a, const pov_vec3 *b, const pov_vec3 *c)
 {
@@ -148,7 +155,8 @@ static bool is_within(visit *v, const pov_vec3 *a, const pov_vec3 *b, const pov_
     if (one.count == 0)
         return false;
     p = pov_add(v->ray->org, pov_scale(v->ray->dir, at.t));
-    return p.x >= box->lo.x && p.y >= box->lo.y && p.z >= box->lo.z && p.x <= box->hi.x && p.y <= box->hi.y && p.z <= box->hi.z;
+    return p.x >= box->lo.x && p.y >= box->lo.y && p.z >= box->lo.z && p.x <= box->hi.x && p.y <= box->hi.y && p.z <= box->hi.z &&
+           is_in_sphere(v->s, p);
 }
 
 /* A face by its corners, and as the ray sees them. False: nothing more is wanted. */

@@ -15,7 +15,8 @@ typedef struct common_sheet {
     pov_vec3 anchor;             /* scaled */
     double scale;
     pov_box box;
-    bool bounded;                /* what is seen of it lies within `box` */
+    bool bounded;                /* what is seen of it lies within `box`, */
+    double radius;               /* and within a sphere about its middle; or 0 */
 } common_sheet;
 
 /* Point and normal at u and v from 0 to 1. */

@@ -33,10 +33,11 @@ static void corner_at(void *user, double u, double v, pov_vec3 *at, pov_vec3 *no
 
 static void read_container(parametric *p, const pov_host *host, pov_reader *in)
 {
+    const pov_vec3 one = { 1.0, 1.0, 1.0 };
     pov_vec3 a, b;
-    double radius;
     bool is_sphere;
 
+    p->sheet.radius = 0.0;
     host->expect(in, "{");
     is_sphere = host->accept(in, "sphere");
     if (!is_sphere)
@@ -45,9 +46,9 @@ static void read_container(parametric *p, const pov_host *host, pov_reader *in)
     host->vector(in, &a);
     host->accept(in, ",");
     if (is_sphere) {
-        radius = fabs(host->number(in));
-        b = pov_add(a, pov_vec3_of(radius, radius, radius));
-        a = pov_sub(a, pov_vec3_of(radius, radius, radius));
+        p->sheet.radius = fabs(host->number(in));
+        b = pov_add(a, pov_scale(one, p->sheet.radius));
+        a = pov_sub(a, pov_scale(one, p->sheet.radius));
     } else {
         host->vector(in, &b);
     }

@@ -12,7 +12,8 @@
 #define TRIANGLE "triangle { <-1,-1,0>, <1,-1,0>, <0,1,0> "
 #define SMOOTH(a, b, c) "smooth_triangle { <-1,-1,0>, " a ", <1,-1,0>, " b ", <0,1,0>, " c TWO
 #define MESH "mesh { " TRIANGLE "} "
-#define SURFACE "parametric { function { u } function { v } function { 0 } <-1,-1>, <1,1> contained_by { box { -1, 1 } } "
+#define SHEET "parametric { function { u } function { v } function { 0 } <-1,-1>, <1,1> "
+#define SURFACE SHEET "contained_by { box { -1, 1 } } "
 #define PATCH PATCH_SHAPE TWO
 #define PATCH_SHAPE "bicubic_patch { type 1 u_steps 1 v_steps 1 <-1,-1,0> <-.3,-1,0> <.3,-1,0> <1,-1,0> <-1,-.3,0> <-.3,-.3,0> <.3,-.3,0> <1,-.3,0> " \
               "<-1,.3,0> <-.3,.3,0> <.3,.3,0> <1,.3,0> <-1,1,0> <-.3,1,0> <.3,1,0> <1,1,0> "
@@ -114,6 +115,22 @@ static void a_parametric_surface_faces_the_turn_from_v_to_u(void **state)
     (void)state;
     assert_side(SURFACE TWO "}", BACK);
     assert_side(SURFACE TWO "rotate 180*y }", FRONT);
+}
+
+static void a_parametric_surface_ends_at_its_container(void **state)
+{
+    (void)state;
+    assert_side(SHEET "contained_by { box { -.1, 1.3 } }" TWO "}", BACK);
+    assert_side(SHEET "contained_by { sphere { <.6,.6,0>, .7 } }" TWO "}", NOTHING);
+    assert_side(SHEET "contained_by { sphere { <.6,.6,0>, .9 } }" TWO "}", BACK);
+}
+
+static void textures_of_components_are_seen_from_both_sides(void **state)
+{
+    (void)state;
+    assert_side("blob { threshold .3 sphere { 0, 1, 1 }" TWO "inverse }", BACK);
+    assert_side("blob { threshold .3 sphere { 0, 1, 1 pigment { rgb x } finish { ambient 1 diffuse 0 } }" TWO "inverse }", FRONT);
+    assert_side("blob { threshold .3 sphere { 0, 1, 1 } sphere { 9, 1, 1 pigment { rgb z } } sphere { 7, 1, 1 }" TWO "inverse }", FRONT);
 }
 
 static void patches_are_not_inverted(void **state)
@@ -225,6 +242,8 @@ int main(void)
         cmocka_unit_test(a_group_gives_its_interior_texture),
         cmocka_unit_test(an_interior_texture_stays_with_its_group),
         cmocka_unit_test(a_parametric_surface_faces_the_turn_from_v_to_u),
+        cmocka_unit_test(a_parametric_surface_ends_at_its_container),
+        cmocka_unit_test(textures_of_components_are_seen_from_both_sides),
         cmocka_unit_test(patches_are_not_inverted),
         cmocka_unit_test(meshes_are_inverted),
         cmocka_unit_test(rings_of_prisms_turn_about_their_fronts),
