@@ -14,12 +14,12 @@ bool common_spline_read(const pov_host *host, pov_reader *in, common_spline *kin
 
 double (*common_points_read(const pov_host *host, pov_reader *in, uint32_t *count))[2]
 {
-    const double n = host->number(in);
+    const double n = floor(host->number(in));
     double (*at)[2];
 
     *count = 0;
-    if (!(n >= 1.0 && n <= 1e6 && n == floor(n))) {
-        host->fail(in, "a spline needs a whole number of points");
+    if (!(n >= 1.0 && n <= 1e6)) {
+        host->fail(in, "a spline needs a number of points");
         return NULL;
     }
     at = host->alloc(in, ((uint32_t)n + 1) * sizeof *at);

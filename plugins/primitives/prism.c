@@ -3,6 +3,8 @@
 #include "common/curve.h"
 #include "common/swept.h"
 
+#include <string.h>
+
 #include <stddef.h>
 
 typedef struct prism {
@@ -29,17 +31,25 @@ static common_piece piece_at(const reading *r, common_spline kind, uint32_t i)
 
 static bool add(const reading *r, const common_piece *c) { return common_outline_add(r->outline, r->host, r->in, c); }
 
-static bool add_beziers(const reading *r)
+/* A ring ends where its first point comes again. Without that nothing is seen, as in POV-Ray. */
+static void add_beziers(const reading *r)
 {
+    uint32_t first = 0;
+
     if (r->count % 4 != 0)
         r->host->fail(r->in, "a prism of bezier splines needs four points a piece");
     for (uint32_t i = 0; i + 3 < r->count; i += 4) {
         const common_piece c = piece_at(r, COMMON_BEZIER, i);
 
         if (!add(r, &c))
-            return false;
+            return;
+        if (same(r->at[i + 3], r->at[first]))
+            first = i + 4;
     }
-    return true;
+    if (first < r->count) {
+        r->host->warn(r->in, "a ring of this prism is not closed: it is not seen");
+        r->outline->count = 0;
+    }
 }
 
 /* One ring whose first point is at `first`: it ends where that point comes again. Returns the point behind its end. */
@@ -53,7 +63,10 @@ static uint32_t add_ring(const reading *r, common_spline kind, uint32_t first, u
         if (!add(r, &c) || same(r->at[i], r->at[first]))
             return i + 1;
     }
-    r->host->warn(r->in, "a ring of this prism is not closed: it is closed by a straight line");
+    if (kind == COMMON_LINEAR)
+        r->host->warn(r->in, "a ring of this prism is not closed: it is closed by a straight line");
+    else
+        r->host->fail(r->in, "a ring of this prism is not closed");
     if (i > first) {
         const common_piece c = { 1, { r->at[i][0], r->at[first][0] }, { r->at[i][1], r->at[first][1] } };
 
@@ -66,7 +79,7 @@ static uint32_t add_ring(const reading *r, common_spline kind, uint32_t first, u
 static void add_rings(const reading *r, common_spline kind)
 {
     const uint32_t before = kind == COMMON_LINEAR ? 0 : 1, behind = kind == COMMON_CUBIC ? 1 : 0;
-    const uint32_t least = kind == COMMON_LINEAR ? 3 : kind == COMMON_QUADRATIC ? 4 : 5;
+    const uint32_t least = kind == COMMON_LINEAR ? 3 : kind == COMMON_QUADRATIC ? 5 : 6;
 
     if (r->count < least)
         r->host->fail(r->in, "a prism of this spline needs at least %u points", (unsigned)least);
@@ -166,6 +179,9 @@ static bool bounds(const void *self, pov_box *out)
     const double back = common_inverse(p->boxed.scale);
     pov_vec3 lo, hi;
 
+    memset(out, 0, sizeof *out);
+    if (p->swept.outline.count == 0)
+        return true;
     common_swept_bounds(&p->swept, &lo, &hi);
     lo = pov_add(pov_scale(lo, back), pov_two3_hi(p->boxed.anchor));
     hi = pov_add(pov_scale(hi, back), pov_two3_hi(p->boxed.anchor));

@@ -35,12 +35,13 @@ static double slope_at(const double (*p)[2], uint32_t j)
     return 2.0 * p[j][0] * (p[j + 1][0] - p[j - 1][0]) / (p[j + 1][1] - p[j - 1][1]);
 }
 
+/* The first and the last point may be anywhere but at the height of the second but one. */
 static bool is_usable(const double (*p)[2], uint32_t n)
 {
-    bool good = n >= 4;
+    bool good = n >= 4 && p[0][1] != p[2][1] && p[n - 1][1] != p[n - 3][1];
 
     for (uint32_t i = 0; good && i < n; i++)
-        good = p[i][0] >= 0.0 && (i == 0 || (i + 1 < n && i > 1 ? p[i][1] > p[i - 1][1] : p[i][1] >= p[i - 1][1]));
+        good = p[i][0] >= 0.0 && (i < 2 || i + 1 == n || p[i][1] > p[i - 1][1]);
     return good;
 }
 
@@ -106,7 +107,7 @@ static void parse(void *self, const pov_host *host, pov_reader *in)
     bool read = true;
 
     if (at && !is_usable((const double (*)[2])at, n))
-        host->fail(in, "a sor needs at least 4 points, radii that are not negative, and heights that rise");
+        host->fail(in, "a sor needs at least 4 points, radii that are not negative, and heights that rise between the first and the last");
     else if (at)
         make(s, host, in, (const double (*)[2])at, n);
     while (read) {

@@ -112,6 +112,7 @@ static void parse(void *self, const pov_host *host, pov_reader *in)
 
     if (!is_linear && !is_cubic && !host->accept(in, "b_spline"))
         host->fail(in, "a sphere_sweep begins with linear_spline, cubic_spline or b_spline");
+    host->accept(in, ",");
     points = read_points(host, in, &n);
     if (host->accept(in, "tolerance"))
         host->number(in);
