@@ -24,6 +24,7 @@ typedef struct pigment { colour color; float filter, transmit; } pigment;
 
 typedef struct pigment_node {
     blend blend;
+    bool own_map;                /* no map was written: this is the pattern's own, which another pattern does not take over */
     uint32_t count;              /* of members: either colours or pigments */
     const pattern *pattern;      /* NULL: constant */
     const float *values;         /* of a map, or the weights of an average */

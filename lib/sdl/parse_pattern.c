@@ -181,7 +181,7 @@ void parse_pattern_class(pov_reader *in, pattern_reading *r, const pattern_class
     r->parsed.pattern.class = class;
     if (class->form != WAVE_RAMP)
         r->parsed.pattern.wave.form = class->form;
-    if (class->count > 0 || class->flags & PATTERN_UNFOLDED)
+    if (class->count > 0 || class->flags & PATTERN_UNFOLDED || class->colours)
         r->parsed.pattern.wave.frequency = 0.0f;   /* numbers of members are not folded */
     read_class(in, r);
 }

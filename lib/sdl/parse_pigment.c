@@ -47,7 +47,7 @@ static void take_base(pigment_reading *r, const pigment_node *from)
     if (!from->pattern)
         return;
     parse_pattern_take(&r->pattern, from->pattern);
-    if (!from->colours && !from->pigments)
+    if (from->own_map || (!from->colours && !from->pigments))
         return;
     r->map.kind = from->colours ? VALUE_COLOUR_MAP : VALUE_PIGMENT_MAP;
     r->map.count = from->count;
@@ -206,7 +206,8 @@ static const pigment_node *make_varying(pov_reader *in, pigment_reading *r)
     }
     if (is_average && r->map.kind == VALUE_NOTHING)
         report_fail(in, &in->last, POV_E_SYNTAX, "\"average\" needs a map of what it is the mean of");
-    if (r->map.kind == VALUE_NOTHING)
+    node.own_map = r->map.kind == VALUE_NOTHING;
+    if (node.own_map)
         use_default_map(in, class, r->pattern.self.bytes, &r->map);
     if (class->count == 0 && !r->map.values && !in->failed)
         number_map(in, &r->map);

@@ -143,6 +143,12 @@ static void colours_that_are_left_out_are_those_of_the_pattern(void **state)
         { "object { sphere { 0, .5 } rgb 1 }", 0.0, 1.0, 0.0 }, { "julia <0, 0>, 20", 1.0, 1.0, 1.0 },
         { "julia <3, 0>, 20", 0.0, 0.0, 0.0 },               { "magnet 1 julia <.2, .3>, 20", 1.0, 1.0, 1.0 },
         { "mandel 20", 0.0, 1.0, 1.0 },
+        /* A pattern's own map is not that of another that comes instead; a map that was written is. */
+        { "#declare P = pigment { mandel 20 }; P julia <0, 0>, 20", 1.0, 1.0, 1.0 },
+        { "#declare P = pigment { julia <0, 0>, 20 }; P mandel 20", 0.0, 1.0, 1.0 },
+        { "#declare P = pigment { mandel 20 color_map { [0 rgb 0] [1 rgb <1, 0, 0>] } }; P julia <0, 0>, 20", 1.0, 0.0, 0.0 },
+        /* Behind an image the frequency is 0, and a phase does nothing. */
+        { "#declare P = pigment { image_map { function 4, 4 { x } } }; P gradient x phase .3", 0.1, 0.1, 0.1 },
     };
 
     (void)state;
