@@ -297,7 +297,7 @@ bool file_writer_put(file_writer *w, const void *bytes, size_t count)
     }
     if (count > sizeof w->buffer) {
         write_out(w, bytes, count);
-    } else {
+    } else if (count > 0) {
         memcpy(w->buffer + w->used, bytes, count);
         w->used += count;
     }

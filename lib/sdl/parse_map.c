@@ -193,7 +193,8 @@ void parse_map_complete(pov_reader *in, uint32_t count, map_parsed *list)
 
     if (in->failed || list->count >= count)
         return;
-    memcpy(members, list->members, list->count * sizeof *members);
+    if (list->count > 0)
+        memcpy(members, list->members, list->count * sizeof *members);
     for (uint32_t i = list->count; i < count; i++)
         members[i] = default_of(in, list->kind);
     list->count = count;

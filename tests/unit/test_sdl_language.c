@@ -297,6 +297,7 @@ static void what_povray_takes_is_taken(void **state)
     assert_radius("#declare P = pigment { rgb 1 } #declare N = normal { bumps } #declare F = finish { phong 1 }"
                   " sphere { 0, 2 texture { P N F } }", 2);
     assert_radius("#declare C = rgb 1; sphere { 0, 2 C }", 2);
+    assert_radius("#fopen W \"w\" write #write (W) #fclose W sphere { 0, 2 texture { object { box { 0, 1 } } } }", 2);
     assert_radius("sphere { 0, 2 texture { checker } finish { diffuse .5 .2 } }", 2);
     assert_radius("#declare C = rgb 1; #declare F = function { pigment { gradient x color_map { [0 2*C] [1, 1 - C] } } } sphere { 0, F(0, 0, 0).red }",
                   2);
