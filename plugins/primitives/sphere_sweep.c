@@ -56,22 +56,24 @@ static control *read_points(const pov_host *host, pov_reader *in, uint32_t *coun
     return at;
 }
 
-/* A box around the Bezier points of the piece, and the radii there. */
+/* A box around the Bezier points of both curves that are a radius from the centres, along each axis. */
 static void find_box(const sweep *s, piece *p)
 {
-    double b[4][DEGREE + 1], radius = 0.0;
+    double b[4][DEGREE + 1], lo[3] = { HUGE_VAL, HUGE_VAL, HUGE_VAL }, hi[3] = { -HUGE_VAL, -HUGE_VAL, -HUGE_VAL }, beside = 0.0;
 
     for (int i = 0; i < 4; i++)
         common_bernstein(p->c[i], s->degree, b[i]);
-    p->lo = p->hi = pov_vec3_of(b[0][0], b[1][0], b[2][0]);
     for (int k = 0; k <= s->degree; k++) {
-        p->lo = pov_vec3_of(fmin(p->lo.x, b[0][k]), fmin(p->lo.y, b[1][k]), fmin(p->lo.z, b[2][k]));
-        p->hi = pov_vec3_of(fmax(p->hi.x, b[0][k]), fmax(p->hi.y, b[1][k]), fmax(p->hi.z, b[2][k]));
-        radius = fmax(radius, fabs(b[3][k]));
+        const double radius = fabs(b[3][k]);
+
+        beside = fmax(beside, radius * 0x1p-40);
+        for (int i = 0; i < 3; i++) {
+            lo[i] = fmin(lo[i], b[i][k] - radius);
+            hi[i] = fmax(hi[i], b[i][k] + radius);
+        }
     }
-    radius *= 1.0 + 0x1p-40;
-    p->lo = pov_sub(p->lo, pov_vec3_of(radius, radius, radius));
-    p->hi = pov_add(p->hi, pov_vec3_of(radius, radius, radius));
+    p->lo = pov_vec3_of(lo[0] - beside, lo[1] - beside, lo[2] - beside);
+    p->hi = pov_vec3_of(hi[0] + beside, hi[1] + beside, hi[2] + beside);
 }
 
 /* points: one before those of the piece comes first. */

@@ -59,6 +59,7 @@ static void what_clips_or_bounds_an_object_narrows_its_box(void **state)
 static void the_box_of_a_curve_is_its_own(void **state)
 {
     (void)state;
+    assert_width("sphere_sweep { linear_spline 2, <-.8,-.5,0>, .5, <.7,.5,.2>, .2 }", 2.2);
     assert_width("lathe { quadratic_spline 3, <0,-1>, <1,0>, <1,1> }", 2.25);
     assert_width("prism { bezier_spline 0, 1, 8, <0,0>, <2,0>, <2,1>, <0,1>, <0,1>, <0,.7>, <0,.3>, <0,0> }", 1.5);
     assert_width("sor { 4, <0,-1>, <1,0>, <1,1>, <0,2> }", 2.0 * sqrt(1.25));
