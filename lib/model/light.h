@@ -23,8 +23,9 @@ enum {
 typedef struct light_area { pov_vec3 axes[2]; uint32_t counts[2]; } light_area;
 
 /* Objects that lights of their own shine on. The first group's number is 1; leaf and leaf_count name its objects, which
- * are consecutive. A group within another one stands before it. */
-typedef struct light_group { uint32_t leaf, leaf_count, number; bool global_lights; } light_group;
+ * are consecutive. A group within another one stands before it, and has the greater number; the lights of those around it that
+ * have at most the number `from` shine on its objects too. */
+typedef struct light_group { uint32_t leaf, leaf_count, number, from; bool global_lights; } light_group;
 
 typedef struct light {
     light_type type;

@@ -28,18 +28,20 @@ bool model_keep(model *m, void *item, void (*destroy)(void *item))
 
 bool model_is_lit_by(const model *m, uint32_t leaf, const light *l)
 {
-    uint32_t number = 0;
-    bool global_lights = true;
+    uint32_t number = 0, from = 0;
+    bool is_around = false, global_lights = true;
 
     for (size_t i = 0; i < m->light_groups.count; i++) {
         const light_group *g = &m->light_groups.items[i];
 
         if (leaf - g->leaf >= g->leaf_count)
             continue;
+        from = number ? from : g->from;
         number = number ? number : g->number;
+        is_around |= g->number == l->group;
         global_lights = g->global_lights;
     }
-    return l->group ? l->group == number : global_lights;
+    return l->group ? is_around && (l->group == number || l->group <= from) : global_lights;
 }
 
 static void free_nodes(model *m)

@@ -207,7 +207,7 @@ static void add_light(pov_reader *in, const object_parsed *o, const around *a, u
     l.position_lo = pov_vec3_of(0.0, 0.0, 0.0);
     if (find_map(in, o, a))
         is_fine = move_light(in, o, a, &l, &point_at);
-    l.group = a ? a->lights : 0;
+    l.group = a && a->group->is_light_group ? a->lights : 0;   /* of a union in a group it shines on all the scene */
     l.through = through;
     l.through_count = (uint32_t)in->model->leaves.count - through;
     l.axis = pov_unit(pov_sub(pov_sub(point_at, l.position), l.position_lo));
@@ -256,10 +256,23 @@ static uint32_t find_lights(pov_reader *in, const object_parsed *o, const around
     return a ? a->lights : 0;
 }
 
-/* The leaves since the first are those of the group. */
-static void add_light_group(pov_reader *in, const object_parsed *o, uint32_t first, uint32_t number)
+/* The groups around whose lights reach into this one: as in POV-Ray where a name stands between the two. */
+static uint32_t find_from(const object_parsed *o, const around *a)
 {
-    const light_group g = { first, (uint32_t)in->model->leaves.count - first, number, o->global_lights };
+    bool is_named = o->is_named;
+
+    for (; a; a = a->outer) {
+        is_named |= a->group->is_named;
+        if (a->group->is_light_group && is_named)
+            return a->lights;
+    }
+    return 0;
+}
+
+/* The leaves since the first are those of the group. */
+static void add_light_group(pov_reader *in, const object_parsed *o, const around *a, uint32_t first, uint32_t number)
+{
+    const light_group g = { first, (uint32_t)in->model->leaves.count - first, number, find_from(o, a), o->global_lights };
 
     if (!in->failed && !VEC_PUSH(in->model->env, &in->model->light_groups, g))
         report_memory(in);
@@ -293,7 +306,7 @@ static bool add_group(pov_reader *in, const object_parsed *o, const around *a, n
     if (cuts_away)
         parse_cutaway_end(in, &list);
     if (o->is_light_group)
-        add_light_group(in, o, leaf, here.lights);
+        add_light_group(in, o, a, leaf, here.lights);
     if (!in->failed && children.count > 0 &&
         !model_add_group(in->model, &shape, children.items, children.count, out))
         report_memory(in);

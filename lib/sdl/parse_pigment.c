@@ -226,7 +226,17 @@ static const pigment_node *make_varying(pov_reader *in, pigment_reading *r)
     return textures_pigment(in, &node);
 }
 
-/* A pattern that is not drawn yet has its first colour. */
+/* A map that nothing chooses from leaves black. */
+static void refuse_map(pov_reader *in, const pigment_reading *r)
+{
+    const place at = in->last;
+
+    if (r->has_colour)
+        report_fail(in, &at, POV_E_SYNTAX, "a map needs a pattern that chooses from it, and this pigment is one colour");
+    else
+        report_warn(in, &at, "a map has no effect without a pattern: the pigment is black");
+}
+
 static const pigment_node *make_node(pov_reader *in, pigment_reading *r)
 {
     pigment_node node;
@@ -235,10 +245,8 @@ static const pigment_node *make_node(pov_reader *in, pigment_reading *r)
         return NULL;
     if (r->pattern.parsed.pattern.class)
         return make_varying(in, r);
-    if (!r->has_colour && r->map.kind == VALUE_COLOUR_MAP)
-        r->constant = *(const pigment *)r->map.members;
-    else if (!r->has_colour && r->map.kind != VALUE_NOTHING)
-        return *(const pigment_node *const *)r->map.members;
+    if (r->map.kind != VALUE_NOTHING)
+        refuse_map(in, r);
     memset(&node, 0, sizeof node);
     node.most = r->constant;
     node.draft = r->draft;

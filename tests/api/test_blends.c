@@ -35,6 +35,15 @@ static void members_that_a_list_does_not_give_are_the_defaults(void **state)
     assert_red("sphere { 0, 1 pigment { object { sphere { 0, 2 } pigment { rgb 1 } } }" LIT "}", 0.0, 0.0);
 }
 
+/* As POV-Ray's, which warns as well. */
+static void a_map_without_a_pattern_is_black(void **state)
+{
+    (void)state;
+    assert_red("sphere { 0, 1 pigment { color_map { [0 rgb x] [1 rgb y] } }" LIT "}", 0.0, 0.0);
+    assert_red("sphere { 0, 1 pigment { pigment_map { [0 rgb x] [1 rgb y] } }" LIT "}", 0.0, 0.0);
+    assert_red("#default { pigment { gradient x } } sphere { 0, 1 pigment { color_map { [0 rgb x] [1 rgb x] } }" LIT "}", 1.0, 0.0);
+}
+
 /* Transformations that stand behind the object in its pattern move it, and not the pattern's other points. */
 static void objects_of_patterns_are_moved_in_their_block(void **state)
 {
@@ -120,6 +129,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(members_that_a_list_does_not_give_are_the_defaults),
+        cmocka_unit_test(a_map_without_a_pattern_is_black),
         cmocka_unit_test(objects_of_patterns_are_moved_in_their_block),
         cmocka_unit_test(components_of_a_blob_share_by_their_parts_of_the_field),
         cmocka_unit_test(transformations_of_a_component_move_its_texture),

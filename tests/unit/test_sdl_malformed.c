@@ -611,6 +611,8 @@ static const malformed cases[] = {
       "expected a vector, found a string", "" },
     { TEXT("sphere { 0, 1 pigment { color_map { } } }"), POV_E_SYNTAX, 1, 37,
       "expected \"[\" and the first entry of the map after \"{\", found \"}\"", "" },
+    { TEXT("sphere { 0, 1 pigment { rgb x color_map { [0 rgb y] } } }"), POV_E_SYNTAX, 1, 53,
+      "a map needs a pattern that chooses from it, and this pigment is one colour", "" },
     { TEXT("sphere { 0, 1 pigment { color_map { [0] } } }"), POV_E_SYNTAX, 1, 39,
       "expected a colour after \"0\", found \"]\"", "" },
     { TEXT("sphere { 0, 1 finish { phong 1, ambient 0 } }"), POV_E_SYNTAX, 1, 31,

@@ -396,6 +396,36 @@ static void a_group_within_a_group_has_its_own_lights(void **state)
     expect_groups("global_lights on", "global_lights off", true);
 }
 
+/* Lights 0, 1 and 2 are the scene's, the outer group's and the inner one's, as leaf 0 of the inner one has them. */
+static void expect_lit(const char *text, bool by_scene, bool by_outer, bool by_inner)
+{
+    reading r;
+
+    read_text(&r, text);
+    assert_true(is_lit(&r, 0, 0) == by_scene && is_lit(&r, 0, 1) == by_outer && is_lit(&r, 0, 2) == by_inner);
+    reading_end(&r);
+}
+
+#define LAMP "light_source { 0 rgb 1 } "
+
+/* As POV-Ray does. */
+static void lights_reach_into_groups_that_came_by_a_name(void **state)
+{
+    (void)state;
+    expect_lit("#version 3.7; #declare Inner = light_group { " LAMP "sphere { 0, 1 } }; " LAMP "light_group { " LAMP "object { Inner } }", false, true, true);
+    expect_lit("#version 3.7; #declare Inner = light_group { " LAMP "sphere { 0, 1 } }; " LAMP
+               "light_group { " LAMP "union { light_group { Inner } } global_lights }", true, true, true);
+    expect_lit("#version 3.7; #declare Both = light_group { " LAMP "light_group { " LAMP "sphere { 0, 1 } } }; " LAMP "object { Both }", false, true, true);
+    expect_lit("#version 3.7; " LAMP "light_group { " LAMP "union { light_group { " LAMP "sphere { 0, 1 } } } }", false, false, true);
+}
+
+static void a_light_in_a_union_is_of_no_group(void **state)
+{
+    (void)state;
+    expect_lit("#version 3.7; " LAMP "light_group { " LAMP "union { " LAMP "sphere { 0, 1 } } }", false, true, false);
+    expect_lit("#version 3.7; " LAMP "light_group { " LAMP "union { " LAMP "sphere { 0, 1 } } global_lights }", true, true, true);
+}
+
 static void what_a_light_looks_like_is_an_object_without_a_shadow(void **state)
 {
     reading r;
@@ -506,6 +536,8 @@ int main(void)
         cmocka_unit_test(lights_have_place_and_colour),
         cmocka_unit_test(lights_of_other_kinds_have_an_axis),
         cmocka_unit_test(a_group_within_a_group_has_its_own_lights),
+        cmocka_unit_test(lights_reach_into_groups_that_came_by_a_name),
+        cmocka_unit_test(a_light_in_a_union_is_of_no_group),
         cmocka_unit_test(what_a_light_looks_like_is_an_object_without_a_shadow),
         cmocka_unit_test(a_light_is_moved_as_far_as_it_is_said),
         cmocka_unit_test(objects_of_a_light_are_moved_as_far_as_they_are_said),
