@@ -8,7 +8,10 @@ typedef struct reading {
     common_mesh_parts parts;
     uint32_t *textures;          /* numbers of the textures of the list */
     uint32_t texture_count, normal_face_count, uv_face_count;
+    bool has_normal_faces;
 } reading;
+
+static const common_face none = { { COMMON_NO_TEXTURE, COMMON_NO_TEXTURE, COMMON_NO_TEXTURE } };
 
 /* ---- lists ---- */
 
@@ -43,12 +46,12 @@ static void *next_item(reading *r, list *l, uint32_t n)
 
 static bool follows(reading *r, uint32_t count, uint32_t n, const char *what)
 {
-    pov_vec3 none;
+    pov_vec3 missing;
 
     r->host->accept(r->in, ",");
     if (r->host->more(r->in))
         return true;
-    r->host->vector(r->in, &none);   /* fails where there is no value */
+    r->host->vector(r->in, &missing);   /* fails where there is no value */
     r->host->fail(r->in, "there are %u of %u %s", count, n, what);
     return false;
 }
@@ -184,7 +187,6 @@ static void take_faces(reading *r)
 {
     list l = { NULL, sizeof(common_face), 0, 0 }, textures = l;
     const uint32_t n = begin_list(r, "faces");
-    const common_face none = { { COMMON_NO_TEXTURE, COMMON_NO_TEXTURE, COMMON_NO_TEXTURE } };
     common_face *f;
 
     while (l.count < n && follows(r, l.count, n, "faces") && (f = next_item(r, &l, n))) {
@@ -219,7 +221,7 @@ static bool check_range(reading *r, const common_face *faces, uint32_t n, uint32
     return true;
 }
 
-/* Normals and uv vectors have indices of their own, or are as many as the corners. */
+/* Normals and uv vectors have indices of their own, those of normals for the first faces at least, or are as many as the corners. */
 static bool check_indices(reading *r, common_face **own, uint32_t own_count, const void *items, uint32_t count,
                           const char *what)
 {
@@ -229,19 +231,36 @@ static bool check_indices(reading *r, common_face **own, uint32_t own_count, con
         *own = replace(r, *own, NULL);
         return true;
     }
-    if (*own && own_count != p->face_count)
+    if (*own && own_count > p->face_count)
+        r->host->fail(r->in, "there are more %s indices than faces", what);
+    else if (*own && own_count < p->face_count && items != p->normals)
         r->host->fail(r->in, "there must be as many %s indices as faces", what);
     else if (!*own && count != p->corner_count)
         r->host->fail(r->in, "%s indices are missing", what);
     else
-        return check_range(r, *own ? *own : p->faces, p->face_count, count, what);
+        return check_range(r, *own ? *own : p->faces, *own ? own_count : p->face_count, count, what);
     return false;
+}
+
+/* Faces behind those that have indices of normals are flat, as in POV-Ray. False: no memory. */
+static bool fill_flat(reading *r)
+{
+    common_mesh_parts *p = &r->parts;
+
+    if (!p->normal_faces || r->normal_face_count == p->face_count)
+        return true;
+    p->normal_faces = r->host->resize(r->in, p->normal_faces, p->face_count * sizeof *p->normal_faces);
+    for (uint32_t i = r->normal_face_count; p->normal_faces && i < p->face_count; i++)
+        p->normal_faces[i] = none;
+    return p->normal_faces != NULL;
 }
 
 static bool check(reading *r)
 {
     common_mesh_parts *p = &r->parts;
 
+    if (r->has_normal_faces && r->normal_face_count == 0)
+        p->normals = replace(r, p->normals, NULL);
     if (!p->corners)
         r->host->fail(r->in, "a mesh2 needs vertex_vectors");
     else if (!p->faces)
@@ -261,6 +280,7 @@ static void take_normal_faces(reading *r)
 
     r->parts.normal_faces = replace(r, r->parts.normal_faces, l.items);
     r->normal_face_count = l.count;
+    r->has_normal_faces = true;
 }
 
 static void take_uv_faces(reading *r)
@@ -300,7 +320,7 @@ static void parse(void *self, const pov_host *host, pov_reader *in)
     while (take_section(&r))
         continue;
     r.textures = replace(&r, r.textures, NULL);
-    if (check(&r))
+    if (check(&r) && fill_flat(&r))
         common_mesh_make(self, &r.parts, host, in);
     else
         common_mesh_drop(&r.parts, host, in);

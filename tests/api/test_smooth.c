@@ -115,6 +115,23 @@ static void a_height_field_is_hit_from_straight_above(void **state)
                      "sphere { <0, N.y, 0>, .5 }", 0.0, 1.0).point.z < 0.0);
 }
 
+/* Two triangles, and a third beside them; of each the normals of two corners lean along x. */
+#define STRIP(rest) "mesh2 { vertex_vectors { 5, <0,0,0>, <0,2,0>, <2,0,0>, <2,2,0>, <4,0,0> } normal_vectors { 5, <0,0,-1>, <-3,0,-4>, " \
+                    "<-3,0,-4>, <0,0,-1>, <-3,0,-4> } face_indices { 3, <0,1,2>, <1,2,3>, <2,3,4> } " rest " }"
+
+static bool is_leaning(const char *object, double x, double y) { return look(object, x, y).shading_normal.x < -0.1; }
+
+/* As in POV-Ray: faces that have no indices of normals are flat, where others of the mesh have some. */
+static void faces_behind_the_indices_of_normals_are_flat(void **state)
+{
+    (void)state;
+    assert_true(is_leaning(STRIP(""), 2.5, 0.5));
+    assert_true(is_leaning(STRIP("normal_indices { 2, <0,1,2>, <1,2,3> }"), 0.5, 0.5));
+    assert_true(is_leaning(STRIP("normal_indices { 2, <0,1,2>, <1,2,3> }"), 1.5, 1.5));
+    assert_false(is_leaning(STRIP("normal_indices { 2, <0,1,2>, <1,2,3> }"), 2.5, 0.5));
+    assert_false(is_leaning(STRIP("normal_indices { 0 }"), 0.5, 0.5));
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -124,6 +141,7 @@ int main(void)
         cmocka_unit_test(v_steps_are_along_a_row),
         cmocka_unit_test(a_height_field_is_hit_from_straight_above),
         cmocka_unit_test(trace_blends_alike),
+        cmocka_unit_test(faces_behind_the_indices_of_normals_are_flat),
     };
 
     return cmocka_run_group_tests_name("smooth", tests, NULL, NULL);
