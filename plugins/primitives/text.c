@@ -14,6 +14,7 @@ typedef struct text {
     pov_two3 anchor;
     double scale;
     uint32_t pieces;             /* of all glyphs */
+    pov_box blanks;              /* where the pen stands at glyphs without an outline: they count for the box; lo above hi: none */
 } text;
 
 /* ---- the font ---- */
@@ -152,6 +153,14 @@ static FT_UInt glyph_of(const reading *r, uint32_t code)
     return index != 0 || code > 0xff ? index : FT_Get_Char_Index(r->face, 0xf000 + code);
 }
 
+static void note_blank(reading *r)
+{
+    pov_box *b = &r->out->blanks;
+
+    b->lo = pov_vec3_of(fmin(b->lo.x, r->pen.x), fmin(b->lo.y, r->pen.y), fmin(0.0, r->depth));
+    b->hi = pov_vec3_of(fmax(b->hi.x, r->pen.x), fmax(b->hi.y, r->pen.y), fmax(0.0, r->depth));
+}
+
 static void take_outline(reading *r)
 {
     static const FT_Outline_Funcs functions = { move_to, line_to, conic_to, cubic_to, 0, 0 };
@@ -163,8 +172,10 @@ static void take_outline(reading *r)
     g->hi = pov_two_of(fmax(0.0, r->depth), 0.0);
     r->outline = &g->outline;
     FT_Outline_Decompose(&r->face->glyph->outline, &functions, r);
-    if (g->outline.count == 0)
+    if (g->outline.count == 0) {
+        note_blank(r);
         return;
+    }
     g->first = 2 * r->out->count + r->out->pieces;
     r->out->pieces += g->outline.count;
     r->out->count++;
@@ -232,6 +243,8 @@ static void parse(void *self, const pov_host *host, pov_reader *in)
     r.host = host;
     r.in = in;
     r.out = self;
+    r.out->blanks.lo = pov_vec3_of(HUGE_VAL, HUGE_VAL, HUGE_VAL);
+    r.out->blanks.hi = pov_vec3_of(-HUGE_VAL, -HUGE_VAL, -HUGE_VAL);
     if (open_font(&r, font_name(host, in))) {
         host->accept(in, ",");
         string = host->string(in);
@@ -252,8 +265,9 @@ static bool bounds(const void *self, pov_box *out)
     const double back = common_inverse(t->scale);
     pov_vec3 a, b;
 
-    out->lo = t->count > 0 ? pov_vec3_of(HUGE_VAL, HUGE_VAL, HUGE_VAL) : anchor;
-    out->hi = t->count > 0 ? pov_vec3_of(-HUGE_VAL, -HUGE_VAL, -HUGE_VAL) : anchor;
+    *out = t->blanks;
+    if (t->count == 0 && !(out->lo.x <= out->hi.x))
+        out->lo = out->hi = anchor;
     for (uint32_t i = 0; i < t->count; i++) {
         common_swept_bounds(&t->glyph[i], &a, &b);
         a = pov_add(pov_scale(a, back), anchor);

@@ -314,6 +314,34 @@ static void glyphs_of_a_text_stand_side_by_side_in_one_plane(void **state)
     fake_reader_destroy(in);
 }
 
+/* A glyph without an outline counts as the place where it begins, as in POV-Ray: the line is as long as up to there. */
+static void blanks_count_for_the_box_of_a_text(void **state)
+{
+    static const char *const texts[] = { "ttf font AA 0.5 < 0.7 0.2 0 >", "ttf font AA_ 0.5 < 0.7 0.2 0 >" };
+    const shape_class *c = fake_reader_shape("text");
+    pov_box box[2];
+
+    (void)state;
+    if (!c)
+        skip();
+    for (int i = 0; i < 2; i++) {
+        pov_reader *in = fake_reader_create();
+        static font one;
+        void *self;
+
+        families_seed(3);
+        font_make(&one, U);
+        fake_reader_file(in, one.bytes, one.size);
+        fake_reader_text(in, texts[i]);
+        self = fake_reader_parse(in, c);
+        assert_non_null(self);
+        assert_true(c->bounds(self, &box[i]));
+        fake_reader_destroy(in);
+    }
+    assert_true(box[0].lo.x == box[1].lo.x);
+    assert_true(box[1].hi.x > box[0].hi.x + 0.1);
+}
+
 int main(int argc, char **argv)
 {
     const struct CMUnitTest tests[] = {
@@ -323,7 +351,7 @@ int main(int argc, char **argv)
         cmocka_unit_test(a_bezier_prism_has_its_crossings), cmocka_unit_test(a_straight_cone_has_its_crossings),
         cmocka_unit_test(a_quadratic_cone_has_its_crossings), cmocka_unit_test(a_cubic_cone_has_its_crossings),
         cmocka_unit_test(a_bezier_cone_has_its_crossings), cmocka_unit_test(text_has_its_crossings),
-        cmocka_unit_test(glyphs_of_a_text_stand_side_by_side_in_one_plane),
+        cmocka_unit_test(glyphs_of_a_text_stand_side_by_side_in_one_plane), cmocka_unit_test(blanks_count_for_the_box_of_a_text),
     };
 
     rays = long_run_rays(argc, argv, 2000);
