@@ -243,7 +243,7 @@ static bool check_indices(reading *r, common_face **own, uint32_t own_count, con
 }
 
 /* Faces behind those that have indices of normals are flat, as in POV-Ray. False: no memory. */
-static bool fill_flat(reading *r)
+static bool pad_normals(reading *r)
 {
     common_mesh_parts *p = &r->parts;
 
@@ -320,7 +320,7 @@ static void parse(void *self, const pov_host *host, pov_reader *in)
     while (take_section(&r))
         continue;
     r.textures = replace(&r, r.textures, NULL);
-    if (check(&r) && fill_flat(&r))
+    if (check(&r) && pad_normals(&r))
         common_mesh_make(self, &r.parts, host, in);
     else
         common_mesh_drop(&r.parts, host, in);
