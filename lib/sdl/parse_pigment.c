@@ -12,6 +12,7 @@ typedef struct pigment_reading {
     pattern_reading pattern;
     value_kind kind;             /* VALUE_PIGMENT or VALUE_DENSITY */
     bool has_colour;
+    bool has_map;                /* it says one itself, where `map` may be of what it is based on */
     pigment constant;
     const pigment_node *draft;   /* NULL: there is no other colour in drafts */
     map_parsed map;
@@ -70,7 +71,10 @@ static void take_node(pov_reader *in, void *self, const value *v)
 
 static void read_map(pov_reader *in, void *self, keyword_id keyword)
 {
-    parse_map(in, parse_map_kind(keyword), &((pigment_reading *)self)->map);
+    pigment_reading *r = self;
+
+    parse_map(in, parse_map_kind(keyword), &r->map);
+    r->has_map = true;
 }
 
 static void read_quick_colour(pov_reader *in, void *self, keyword_id keyword)
@@ -245,7 +249,7 @@ static const pigment_node *make_node(pov_reader *in, pigment_reading *r)
         return NULL;
     if (r->pattern.parsed.pattern.class)
         return make_varying(in, r);
-    if (r->map.kind != VALUE_NOTHING)
+    if (r->has_map)
         refuse_map(in, r);
     memset(&node, 0, sizeof node);
     node.most = r->constant;
@@ -290,7 +294,7 @@ static void begin(pigment_reading *r, value_kind kind, const pigment_node *base)
 {
     parse_pattern_begin(&r->pattern);
     r->kind = kind;
-    r->has_colour = false;
+    r->has_colour = r->has_map = false;
     r->draft = NULL;
     memset(&r->constant, 0, sizeof r->constant);
     memset(&r->map, 0, sizeof r->map);
