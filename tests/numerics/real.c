@@ -2,7 +2,7 @@
 
 #include <stdlib.h>
 
-enum { POOL = 8192 };
+enum { POOL = 1 << 16 };
 
 static mpfr_t pool[POOL];
 static int used, made, bits = 512;
