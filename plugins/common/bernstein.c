@@ -122,6 +122,16 @@ COMMON_INLINE int count_changes(const double *b, int degree, double noise)
 /* A part of the interval that is still to be decided. */
 typedef struct part { double b[COMMON_BERNSTEIN_MAX + 1], lo, hi; int depth; } part;
 
+/* The whole. */
+COMMON_INLINE void begin(part *p, const double *b, int degree)
+{
+    for (int i = 0; i <= degree; i++)
+        p->b[i] = b[i];
+    p->lo = 0.0;
+    p->hi = 1.0;
+    p->depth = 0;
+}
+
 /* De Casteljau's scheme at the middle: the left part follows, and the right one takes the place of both. */
 COMMON_INLINE void halve(part *p, int degree)
 {
@@ -151,11 +161,7 @@ COMMON_INLINE void isolate_of(const double *b, int degree, double noise, double 
         put(out, b, degree, 0.0, 1.0);
     if (all <= 1)
         return;
-    for (int i = 0; i <= degree; i++)
-        top->b[i] = b[i];
-    top->lo = 0.0;
-    top->hi = 1.0;
-    top->depth = 0;
+    begin(top, b, degree);
     while (top >= stack) {
         const int changes = count_changes(top->b, degree, noise);
 
@@ -230,11 +236,7 @@ COMMON_INLINE bool isolate_certain_of(const double *b, int degree, double noise,
     if (!(fabs(b[0]) > noise && fabs(b[degree]) > noise))
         return false;
     more = COMMON_U * degree * largest_of(b, degree);
-    for (int i = 0; i <= degree; i++)
-        top->b[i] = b[i];
-    top->lo = 0.0;
-    top->hi = 1.0;
-    top->depth = 0;
+    begin(top, b, degree);
     while (top >= stack) {
         const double off = noise + top->depth * more;
         const int changes = count_certain(top->b, degree, off);

@@ -141,11 +141,9 @@ static void read_component(blob *b, const pov_host *host, pov_reader *in, bool i
     host->accept(in, "strength");
     strength = host->number(in);
     do {
-        const bool looks = host->component_texture && host->component_texture(in, &texture);
-        const bool moves = host->transform && host->transform(in, &w.map);
-
-        w.moved |= moves;
-        read = looks || moves;
+        read = host->component_texture && host->component_texture(in, &texture);
+        if (host->transform && host->transform(in, &w.map))
+            read = w.moved = true;
     } while (read);
     host->expect(in, "}");
     add(b, host, in, &w, strength, texture);
@@ -261,7 +259,6 @@ static bool may_hold(const void *self, const pov_box *cell)
 static void parse(void *self, const pov_host *host, pov_reader *in)
 {
     enum { FEW = 64 };           /* where there are more components, to look for the box would take too long */
-    const written nothing = { .radius = 1.0 };
     blob *b = self;
     pov_box whole;
 
@@ -269,7 +266,7 @@ static void parse(void *self, const pov_host *host, pov_reader *in)
     while (read_item(b, host, in))
         continue;
     if (b->count == 0 && b->written)
-        add(b, host, in, &nothing, 0.0, POV_OWN_TEXTURE);
+        add(b, host, in, &(written){ .radius = 1.0 }, 0.0, POV_OWN_TEXTURE);
     if (b->count == 0) {
         host->fail(in, "a blob needs at least one component");
         return;
