@@ -79,7 +79,7 @@ static void add_tree(compile_state *f, uint32_t which, uint16_t mark)
     const leaf_node *first = &f->model->leaves.items[t->members[0].leaf];
     const uint32_t index = (uint32_t)f->model->leaves.count + which;
     const object_info info = { .slot = note_members(f, t), .material = first->material };
-    const bool filtered = f->use_blocks && (t->chords.all || t->clipped.count > 0 || csg_is_small(t));
+    const bool filtered = f->use_blocks && (t->chords.all || (t->clipped.count > 0 && t->boxed) || csg_is_small(t));
     const leaf_node leaf = { .shape = &csg_class, .instance = &f->roots[which], .material = first->material,
                              .line = first->line, .column = first->column };
 

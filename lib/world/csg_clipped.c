@@ -14,13 +14,14 @@ enum { CROSSINGS = 8 };
 
 /* ---- which trees ---- */
 
-static bool may_clip(const csg_member *m)
+/* loose: as an outline has it, such as a half-space. */
+static bool may_clip(const csg_member *m, bool loose)
 {
-    return m->boxed && !m->inverse && !m->patch && !m->absent && (m->shape->flags & POV_SHAPE_CONVEX);
+    return !m->inverse && !m->patch && !m->absent && (loose ? m->shape->outline != NULL : m->boxed && (m->shape->flags & POV_SHAPE_CONVEX));
 }
 
 /* The surface is the only member that shows, or the only one that cannot clip. Else the number of members. */
-static uint32_t find_surface(const csg_tree *t)
+static uint32_t find_surface(const csg_tree *t, bool loose)
 {
     uint32_t showing = 0, others = 0, shown = 0, other = 0;
 
@@ -29,7 +30,7 @@ static uint32_t find_surface(const csg_tree *t)
             showing++;
             shown = i;
         }
-        if (!may_clip(&t->members[i])) {
+        if (!may_clip(&t->members[i], loose)) {
             others++;
             other = i;
         }
@@ -54,24 +55,28 @@ static bool is_intersection(const csg_tree *t, node_ref node)
     return true;
 }
 
-void csg_find_clipped(csg_tree *t)
+static bool find_clips(csg_tree *t, bool loose)
 {
-    csg_clipped found = { 0 };
+    csg_clipped found = { .surface = find_surface(t, loose), .loose = loose };
 
-    if (!t->boxed || t->empty || t->member_count > CSG_FEW || !is_intersection(t, NODE_GROUP))
-        return;
-    found.surface = find_surface(t);
     if (found.surface == t->member_count || !is_surface(&t->members[found.surface]))
-        return;
+        return false;
     for (uint32_t i = 0; i < t->member_count; i++) {
         if (i == found.surface)
             continue;
-        if (!may_clip(&t->members[i]))
-            return;
+        if (!may_clip(&t->members[i], loose))
+            return false;
         found.shown = found.shown || !t->members[i].hidden;
         found.clip[found.count++] = i;
     }
     t->clipped = found;
+    return true;
+}
+
+void csg_find_clipped(csg_tree *t)
+{
+    if (!t->empty && t->member_count <= CSG_FEW && is_intersection(t, NODE_GROUP) && !(t->boxed && find_clips(t, false)))
+        find_clips(t, true);
 }
 
 /* ---- members ---- */
@@ -213,6 +218,10 @@ static csg_found narrow_by_outline(clip_search *s, const pov_hits *hits, double 
     if (!csg_outline_common(s->w->tree->outline, s->w->ray, &k))
         return CSG_OPEN;
     *off = CSG_OUTLINE_MARGIN * k.per_unit;
+    if (s->w->tree->outline->endless)
+        *off *= k.from + fmax(fabs(k.in[0]), fabs(k.out[0]));
+    if (!isfinite(*off))
+        return CSG_OPEN;
     s->enter = (k.in[0] - k.start) * k.per_unit;
     s->leave = (k.out[0] - k.start) * k.per_unit;
     return s->enter > s->leave + *off || s->leave < -*off || s->enter - *off > hits->tmax + hits->slack ? CSG_NOTHING : CSG_CROSSED;
@@ -225,6 +234,8 @@ static bool report_clip(clip_search *s, pov_hits *hits)
     const pov_crossing *end;
 
     begin(s, s->w);
+    if (s->w->tree->clipped.loose)
+        return false;
     if (!narrow_all(s, hits))
         return !s->unsure;
     end = s->enter > 0.0 ? &s->entry : &s->exit;
@@ -307,6 +318,8 @@ bool csg_clipped_first(csg_traversal *w, pov_hits *hits)
         found = narrow_by_outline(&s, hits, &off);
     if (found == CSG_NOTHING || (found == CSG_CROSSED && find_between(&s, fmax(s.enter - off, 0.0), s.leave + off, off, hits)))
         return true;
+    if (w->tree->clipped.loose)
+        return false;
     begin(&s, w);
     if (!narrow_all(&s, hits))
         return !s.unsure;

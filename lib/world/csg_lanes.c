@@ -158,7 +158,9 @@ static uint32_t within_of(const csg_tree *t)
 {
     const csg_outline *of = t->outline;
 
-    return t->clipped.outlined ? (1u << t->clipped.count) - 1 : of->boxed ? of->within | 1u << of->count : t->chords.within;
+    const uint32_t box = of->boxed ? 1u << of->count : 0;
+
+    return t->clipped.outlined ? box | ((1u << t->clipped.count) - 1) : box ? box | of->within : t->chords.within;
 }
 
 /* Rays that are never within all members that are no complements, ahead and before their end, certainly pass the tree. Others do not

@@ -115,18 +115,19 @@ static void narrow(csg_stretch s, csg_stretch *io)
 }
 
 /* What a column's slabs and quadric have in common with a stretch. */
-static void narrow_column(const csg_outline *of, uint32_t c, const near_ray *k, csg_stretch *io)
+static void narrow_column(const csg_outline *of, uint32_t c, const near_ray *k, double from, csg_stretch *io)
 {
     const double *quadric = of->numbers + SLAB_NUMBERS * of->slabs + csg_number(QUADRIC_NUMBERS, of->quadric[c]);
+    const double least = of->endless ? HUGE_VAL : CSG_LEAST_HEIGHT;
 
     for (uint32_t i = of->first_slab[c]; i < of->first_slab[c + 1]; i++)
-        narrow(csg_cross_slab(of->numbers + csg_number(SLAB_NUMBERS, i), k->at, k->along, CSG_LEAST_HEIGHT), io);
+        narrow(csg_cross_slab(of->numbers + csg_number(SLAB_NUMBERS, i), k->at, k->along, least), io);
     if (!(of->round >> c & 1))
         return;
-    if (of->turned[of->quadric[c]].kind == CSG_SPHERE)
+    if (!of->endless && of->turned[of->quadric[c]].kind == CSG_SPHERE)
         narrow(csg_cross_turned(quadric, &of->turned[of->quadric[c]], false, k->at, k->along, pov_dot(k->at, k->at)), io);
     else
-        narrow(csg_cross_quadric(quadric, k->at, k->along, 1.0), io);
+        narrow(csg_cross_quadric(quadric, k->at, k->along, from), io);
 }
 
 bool csg_outline_common(const csg_outline *of, const pov_ray *ray, csg_intervals *out)
@@ -136,8 +137,8 @@ bool csg_outline_common(const csg_outline *of, const pov_ray *ray, csg_intervals
 
     if (!come_near(of, ray, &k, out))
         return false;
-    for (uint32_t c = 0; c < of->count; c++)
-        narrow_column(of, c, &k, &s);
+    for (uint32_t c = 0; c < of->count + of->boxed; c++)
+        narrow_column(of, c, &k, out->from, &s);
     out->in[0] = s.in;
     out->out[0] = s.out;
     return s.open == 0.0;

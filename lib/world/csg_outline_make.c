@@ -260,7 +260,7 @@ static bool ask_columns(const csg_tree *t, csg_outline *of, pov_outline *all)
         of->slabs += all[i].slabs;
         of->quadrics += all[i].round;
     }
-    of->boxed = t->boxed && table_size(t, of) > 0;
+    of->boxed = t->boxed && (table_size(t, of) > 0 || (t->clipped.outlined && t->clipped.loose));
     of->slabs = (of->slabs + (of->boxed ? 3 : 0) + FOUR - 1) / FOUR * FOUR;
     of->quadrics = (of->quadrics + FOUR - 1) / FOUR * FOUR;
     return true;
@@ -331,6 +331,7 @@ static bool drop_outline(csg_tree *t, const env *e)
     env_free(e, t->outline);
     t->outline = NULL;
     t->clipped.outlined = false;
+    t->clipped.count = t->clipped.loose ? 0 : t->clipped.count;
     return true;
 }
 

@@ -1,7 +1,7 @@
 /* test_csg_outline.c - solids of few members, moved, turned and stretched: the first crossing that their outlines find, for rays one by
  * one and side by side, against the walk in double-double, which does not know them. Of convex members and complements of such, and of
- * planes and quadrics too in unions, intersections, differences and clips within each other; and tori that convex members clip, or
- * that they intersect. */
+ * planes and quadrics too in unions, intersections, differences and clips within each other; and tori that convex members, planes or
+ * quadrics clip, or that they intersect. */
 #include "numerics/sides.h"
 
 #include "support/fake_reader.h"
@@ -186,8 +186,8 @@ static void make_any_tree(scene *s)
     assert_true(model_add_tree(&s->model, root));
 }
 
-/* A torus without poles, which has no outline, within one convex member or two; or what these have of it, which others may clip, or
- * without it. */
+/* A torus without poles, which has no outline, within one convex member or two, or within planes and quadrics; or what these have of it,
+ * which others may clip, or without it. */
 static void make_torus_tree(scene *s, node_op op)
 {
     group_node all = { .op = op, .line = 1, .column = 1 };
@@ -195,8 +195,10 @@ static void make_torus_tree(scene *s, node_op op)
     const uint32_t n = op == NODE_DIFFERENCE || U() < 0.8 ? 2 : 3, place = op == NODE_CLIP ? 0 : op == NODE_DIFFERENCE ? 1 : below(n);
     node_ref children[3], root;
 
+    s->endless = U() < 0.4;
     for (uint32_t i = 0; i < n; i++)
         children[i] = i == place ? add_probe(s, torus) : add_member(s);
+    s->endless = false;
     assert_true(model_add_group(&s->model, &all, children, n, &root));
     if (op == NODE_INTERSECTION && U() < 0.2) {
         group_node clipped = { .op = NODE_CLIP, .line = 1, .column = 1 };
