@@ -47,7 +47,7 @@ typedef struct common_bernsteins { common_by_bernstein b[COMMON_BERNSTEINS_DEGRE
  * 0 there is none; an open one is to be asked alone. */
 typedef struct common_first_of_bernsteins { common_by_bernstein found, more, open, root; } common_first_of_bernsteins;
 void common_bernstein_first_many(const common_bernsteins *of, int degree, common_first_of_bernsteins *out);
-/* Of the degree 3; open is above 0 too where common_bernstein_certain() may leave it so. */
-void common_bernstein_certain_many(const common_bernsteins *of, common_first_of_bernsteins *out);
+/* Of the degree 3 or 4; open is above 0 too where common_bernstein_certain() may leave it so. */
+void common_bernstein_certain_many(const common_bernsteins *of, int degree, common_first_of_bernsteins *out);
 
 #endif

@@ -210,7 +210,8 @@ COMMON_INLINE bool is_any(const double *flags)
 OF_DEGREE(3, 3, false)
 OF_DEGREE(4, 4, false)
 OF_DEGREE(6, 6, false)
-OF_DEGREE(certain, 3, true)
+OF_DEGREE(certain_3, 3, true)
+OF_DEGREE(certain_4, 4, true)
 
 void common_bernstein_first_many(const common_bernsteins *of, int degree, common_first_of_bernsteins *out)
 {
@@ -221,4 +222,7 @@ void common_bernstein_first_many(const common_bernsteins *of, int degree, common
     }
 }
 
-void common_bernstein_certain_many(const common_bernsteins *of, common_first_of_bernsteins *out) { first_certain(of, out); }
+void common_bernstein_certain_many(const common_bernsteins *of, int degree, common_first_of_bernsteins *out)
+{
+    (degree == 3 ? first_certain_3 : first_certain_4)(of, out);
+}

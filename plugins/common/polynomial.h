@@ -112,6 +112,7 @@ void common_polynomial_intersect(const void *self, const pov_ray *ray, pov_hits 
 void common_polynomial_intersect_between(const void *self, const pov_ray *ray, pov_hits *hits);
 void common_polynomial_normal(const void *self, const pov_ray *ray, const pov_crossing *at, pov_vec3 *out);
 void common_polynomial_intersect_between_many(const void *const *selves, const pov_ray *const *rays, pov_hits *const *hits, uint32_t n);
+void common_polynomial_intersect_many(const void *const *selves, const pov_ray *const *rays, pov_hits *const *hits, uint32_t n);
 void common_polynomial_normal_many(const void *const *selves, const pov_ray *const *rays, const pov_crossing *const *at,
                                    pov_vec3 *const *out, uint32_t n);
 bool common_polynomial_inside(const void *self, pov_vec3 point, pov_vec3 point_lo);
@@ -119,6 +120,7 @@ bool common_polynomial_inside(const void *self, pov_vec3 point, pov_vec3 point_l
 #define COMMON_POLYNOMIAL_CLASS(word, reader)                                                                              \
     static const pov_shape_fast fast = { .size = sizeof(pov_shape_fast),                                                   \
                                          .normal_many = common_polynomial_normal_many,                                     \
+                                         .intersect_many = common_polynomial_intersect_many,                               \
                                          .intersect_between = common_polynomial_intersect_between,                         \
                                          .intersect_between_many = common_polynomial_intersect_between_many };             \
     static const void *extension(const char *name) { return common_is_fast(name) ? &fast : NULL; }                         \

@@ -127,6 +127,23 @@ static void make_cubic(pov_reader *in, double size)
             }
 }
 
+/* The same; every other one is finite. */
+static void make_quartic(pov_reader *in, double size)
+{
+    const bool finite = U() < 0.5;
+
+    fake_reader_word(in, "<");
+    for (int i = 4; i >= 0; i--)
+        for (int j = 4 - i; j >= 0; j--)
+            for (int k = 4 - i - j; k >= 0; k--) {
+                const bool highest = i + j + k == 4, own = i == 4 || j == 4 || k == 4;
+                const double c = finite && highest ? own ? 1.0 + U() : 0.2 * U() : U() < 0.3 ? 0.0 : 2.0 * U() - 1.0;
+
+                fake_reader_number(in, c * pow(size, -(i + j + k)));
+                fake_reader_word(in, i + j + k > 0 ? "," : ">");
+            }
+}
+
 static void add_corner(pov_reader *in, double least, double size)
 {
     fake_reader_word(in, "<");
@@ -150,10 +167,10 @@ static void make_box(pov_reader *in, double size)
     add_corner(in, 0.2 * size, size);
 }
 
-enum { CLIPPED = 5, MAKERS, ROUND = MAKERS, BLOCK };
+enum { CLIPPED = 5, QUARTIC, MAKERS, ROUND = MAKERS, BLOCK };
 static const struct { const char *keyword; shape_maker *make; } kinds[] = {
     { "torus", make_torus }, { "prism", make_prism }, { "lathe", make_lathe }, { "sor", make_sor }, { "ovus", make_ovus },
-    { "cubic", make_cubic }, { "sphere", make_sphere }, { "box", make_box },
+    { "cubic", make_cubic }, { "quartic", make_quartic }, { "sphere", make_sphere }, { "box", make_box },
 };
 
 static node_ref add(scene *s, pov_reader *in, uint32_t which, const transform *t)
@@ -191,7 +208,7 @@ static void add_shape(scene *s, pov_reader *in, uint32_t which)
         t = test_transform(&s->model, t, TRANSFORM_SCALE, 0.2 + U(), 0.2 + U(), 0.2 + U());
     t = test_transform(&s->model, t, TRANSFORM_ROTATE, 360.0 * U(), 360.0 * U(), 360.0 * U());
     t = test_transform(&s->model, t, TRANSFORM_TRANSLATE, s->size * U(), s->size * U(), s->size * U());
-    if (which == CLIPPED)
+    if (which == CLIPPED || (which == QUARTIC && U() < 0.5))
         add_clipped(s, in, which, t);
     else
         add(s, in, which, t);
