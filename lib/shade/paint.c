@@ -46,7 +46,7 @@ typedef struct group {
     texture_points points;
     texture_part parts[BATCH_MAX];
     linear_map linear[BATCH_MAX];   /* of what is in copies */
-} group;
+} group;                         /* views and uv are there where the scene asks for them */
 
 enum { PARTS_FIT = 1 / (TEXTURE_PARTS_MAX == POV_TEXTURES_MAX) };   /* else this does not compile */
 
@@ -116,11 +116,20 @@ static bool are_alike(const shading *scene, const surfaces *s)
     return alike;
 }
 
+static void copy_lanes(const vec_lanes *from, uint32_t n, vec_lanes *to)
+{
+    const size_t size = lanes_whole(n) * sizeof(double);
+
+    memcpy(to->x, from->x, size);
+    memcpy(to->y, from->y, size);
+    memcpy(to->z, from->z, size);
+}
+
 static void add_all(group *g, const shading *scene, const surfaces *s)
 {
-    g->points.at = s->geometry.to.point;
-    g->points.at_lo = s->geometry.to.point_lo;
-    g->points.normal = *s->geometry.raw;
+    copy_lanes(&s->geometry.to.point, s->count, &g->points.at);
+    copy_lanes(&s->geometry.to.point_lo, s->count, &g->points.at_lo);
+    copy_lanes(s->geometry.raw, s->count, &g->points.normal);
     g->points.has_surface = g->points.in_world = true;
     for (; g->count < s->count && (scene->uvs || scene->views); g->count++) {
         if (scene->uvs)
@@ -177,8 +186,6 @@ static uint32_t evaluate(const shading *scene, const surfaces *s, painted *p)
     uint32_t count = 0;
     group g;
 
-    if (!scene->uvs)
-        memset(&g.points.uv, 0, sizeof g.points.uv);
     if (s->count > 0 && are_alike(scene, s)) {
         begin(&g, s->at[0].appearance->material->texture);
         add_all(&g, scene, s);
@@ -309,13 +316,48 @@ static bool find_normals_alike(const shading *scene, surfaces *s, painted *p)
 
     if (!of || !of->normal || !are_alike(scene, s))
         return false;
-    if (!scene->uvs)
-        memset(&g.points.uv, 0, sizeof g.points.uv);
     begin(&g, of);
     add_all(&g, scene, s);
-    s->geometry.bent = g.points.normal;
+    copy_lanes(&g.points.normal, g.count, &s->geometry.bent);
     normal_eval(scene->model, of->normal, NULL, &g.points, g.count, &s->geometry.bent);
     s->geometry.shading = &s->geometry.bent;
+    begin_none(s, p);
+    return true;
+}
+
+/* Paint a surface over what it has been, as far as that is of the same finish and material. keeps: nothing else writes there. */
+static inline void repaint(const shading *scene, const appearance *of, bool keeps, const pigment *value, surface *at, appearance *out)
+{
+    const material *own = at->appearance->material;
+
+    if (!keeps || out->finish != of->finish || out->material != own) {
+        *out = *of;
+        appearance_set_material(out, own);
+    }
+    if (appearance_is_plain(out, scene->plan, value))
+        appearance_repaint_plain(out, scene->model, value);
+    else
+        appearance_repaint(out, scene->plan, scene->model, value);
+    at->appearance = out;
+}
+
+/* Surfaces of one material with one layer, whose normals are their own, need no terms either. False: they are not such. */
+static bool paint_alike(const shading *scene, surfaces *s, painted *p)
+{
+    const bool varies = s->count > 0 && s->at[0].appearance->varies && !s->at[0].appearance->stack;
+    const texture *of = varies ? s->at[0].appearance->material->texture : NULL;
+    pigment pigments[BATCH_MAX];
+    const appearance *finished;
+    group g;
+
+    if (!of || of->blend != BLEND_NONE || of->normal || !are_alike(scene, s))
+        return false;
+    begin(&g, of);
+    add_all(&g, scene, s);
+    pigment_eval(scene->model, of->pigment, &g.points, g.count, pigments);
+    finished = shading_finish(scene, &of->finish);
+    for (uint32_t i = 0; i < s->count; i++)
+        repaint(scene, finished, scene->most_terms == 1, &pigments[i], &s->at[i], &s->varying[i]);
     begin_none(s, p);
     return true;
 }
@@ -340,7 +382,7 @@ paint_kind paint_evaluate(const shading *scene, surfaces *s, painted *p)
         begin_none(s, p);
         return s->at[0].appearance->stack && scene->most_terms > 1 ? PAINT_STACKS : PAINT_SINGLE;
     }
-    if (find_normals_alike(scene, s, p))
+    if (paint_alike(scene, s, p) || find_normals_alike(scene, s, p))
         return PAINT_SINGLE;
     count = evaluate(scene, s, p);
     for (uint32_t i = 0; i < s->count; i++) {
@@ -390,7 +432,6 @@ static void set_bent(surfaces *s, uint64_t bent)
     g->shading = &g->bent;
 }
 
-/* Where nothing else writes to it, what is painted over an appearance of the same finish and material is all that differs. */
 void paint_surfaces(const shading *scene, surfaces *s, const painted *p)
 {
     const bool keeps = scene->most_terms == 1;
@@ -400,8 +441,6 @@ void paint_surfaces(const shading *scene, surfaces *s, const painted *p)
 
     for (uint32_t i = 0; p->first[s->count] > 0 && i < s->count; i++) {
         const texture_term *t = term_of(p, i);
-        const material *own = s->at[i].appearance->material;
-        appearance *out = &s->varying[i];
 
         if (!t)
             continue;
@@ -413,15 +452,7 @@ void paint_surfaces(const shading *scene, surfaces *s, const painted *p)
             continue;
         if (t->finish != last)
             of = shading_finish(scene, last = t->finish);
-        if (!keeps || out->finish != last || out->material != own) {
-            *out = *of;
-            appearance_set_material(out, own);
-        }
-        if (appearance_is_plain(out, scene->plan, &t->pigment))
-            appearance_repaint_plain(out, scene->model, &t->pigment);
-        else
-            appearance_repaint(out, scene->plan, scene->model, &t->pigment);
-        s->at[i].appearance = out;
+        repaint(scene, of, keeps, &t->pigment, &s->at[i], &s->varying[i]);
     }
     if (bent)
         set_bent(s, bent);
