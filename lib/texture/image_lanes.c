@@ -9,7 +9,8 @@ enum { TAPS = 4, CHANNELS = 3 };
 /* The upper left pixel at each point, the upper right one, and those below; weights, and what they store. */
 typedef struct SIMD_ALIGNED tap_lanes {
     double weight[TAPS][LANES_MAX];
-    double column[2][LANES_MAX], row[2][LANES_MAX];
+    int32_t column[2][LANES_MAX], row[2][LANES_MAX];
+    int32_t whole[CHANNELS][TAPS][LANES_MAX];   /* what is stored as whole numbers */
     float stored[CHANNELS][TAPS][LANES_MAX];
     float value[CHANNELS + 2][LANES_MAX];   /* and filter and transmit */
     int64_t outside[LANES_MAX];
@@ -29,11 +30,11 @@ SIMD_INLINE double repeated(double v)
 }
 
 /* The pixel at -1 or at `size` is one that repeats, or the edge. */
-SIMD_INLINE double bound(double i, double size, bool once)
+SIMD_INLINE int32_t bound(double i, double size, bool once)
 {
     const double before = once ? 0.0 : size - 1.0, behind = once ? size - 1.0 : 0.0;
 
-    return i < 0.0 ? before : i < size ? i : behind;
+    return (int32_t)(i < 0.0 ? before : i < size ? i : behind);
 }
 
 SIMD_CLONES static void find_taps(const vec_lanes *restrict at, double width, double height, bool once, uint32_t n,
@@ -59,58 +60,67 @@ SIMD_CLONES static void find_taps(const vec_lanes *restrict at, double width, do
 
 /* ---- what pixels store ---- */
 
-SIMD_INLINE float stored_at(const float *decoded, const unsigned char *samples, size_t number, uint32_t bits)
-{
-    uint16_t wide;
-    float real;
-
-    if (bits == 8)
-        return decoded ? decoded[samples[number]] : (float)samples[number];
-    if (bits == 16) {
-        memcpy(&wide, samples + 2 * number, sizeof wide);
-        return decoded ? decoded[wide] : (float)wide;
-    }
-    memcpy(&real, samples + 4 * number, sizeof real);
-    return real;
-}
-
-/* bits: of the image, a constant of each copy. */
-SIMD_INLINE void fetch(const image_map *map, uint32_t bits, uint32_t n, tap_lanes *t)
+/* bits, channels and decoded or not: constants of each copy. */
+SIMD_INLINE void fetch(const image_map *map, uint32_t bits, uint32_t channels, bool decodes, uint32_t n, tap_lanes *t)
 {
     const image *of = map->image;
-    const uint32_t channels = of->channels;
+    const size_t sample = bits / 8, pixel = channels * sample;
 
     for (uint32_t i = 0; i < n; i++)
         for (int k = 0; k < TAPS; k++) {
-            const unsigned char *row = of->samples + (size_t)t->row[k >> 1][i] * of->stride;
-            const size_t first = (size_t)t->column[k & 1][i] * channels;
+            const unsigned char *from = of->samples + (size_t)t->row[k >> 1][i] * of->stride + (size_t)t->column[k & 1][i] * pixel;
 
-            for (uint32_t c = 0; c < channels; c++)
-                t->stored[c][k][i] = stored_at(map->decoded, row, first + c, bits);
+            for (uint32_t c = 0; c < channels; c++, from += sample) {
+                uint16_t wide = *from;
+
+                if (bits == 16)
+                    memcpy(&wide, from, sizeof wide);
+                if (bits == 32)
+                    memcpy(&t->stored[c][k][i], from, sizeof(float));
+                else if (decodes)
+                    t->stored[c][k][i] = map->decoded[wide];
+                else
+                    t->whole[c][k][i] = wide;
+            }
         }
 }
 
-/* Returns what 1 is stored as. */
-static double fetch_all(const image_map *map, uint32_t n, tap_lanes *t)
+SIMD_INLINE void fetch_channels(const image_map *map, uint32_t bits, bool decodes, uint32_t n, tap_lanes *t)
+{
+    if (map->image->channels == 1)
+        fetch(map, bits, 1, decodes, n, t);
+    else
+        fetch(map, bits, CHANNELS, decodes, n, t);
+}
+
+/* Whole numbers, of which 1 is this. */
+SIMD_CLONES static void decode(double one, uint32_t n, const int32_t *restrict whole, float *restrict stored)
+{
+    for (uint32_t i = 0; i < n; i++)
+        stored[i] = (float)((double)whole[i] / one);
+}
+
+static void fetch_all(const image_map *map, uint32_t n, tap_lanes *t)
 {
     const uint32_t bits = map->image->bits;
+    const bool decodes = map->decoded != NULL;
 
-    if (bits == 8)
-        fetch(map, 8, n, t);
+    if (bits == 32)
+        fetch_channels(map, 32, false, n, t);
+    else if (bits == 16 && decodes)
+        fetch_channels(map, 16, true, n, t);
     else if (bits == 16)
-        fetch(map, 16, n, t);
+        fetch_channels(map, 16, false, n, t);
+    else if (decodes)
+        fetch_channels(map, 8, true, n, t);
     else
-        fetch(map, 32, n, t);
-    return map->decoded || bits == 32 ? 1.0 : bits == 8 ? 255.0 : 65535.0;
+        fetch_channels(map, 8, false, n, t);
+    for (uint32_t c = 0; bits != 32 && !decodes && c < map->image->channels; c++)
+        for (int k = 0; k < TAPS; k++)
+            decode(bits == 8 ? 255.0 : 65535.0, n, t->whole[c][k], t->stored[c][k]);
 }
 
 /* ---- between pixels ---- */
-
-SIMD_CLONES static void decode(double one, uint32_t n, float *restrict stored)
-{
-    for (uint32_t i = 0; i < n; i++)
-        stored[i] = (float)((double)stored[i] / one);
-}
 
 SIMD_CLONES static void mix(const tap_lanes *restrict t, uint32_t c, uint32_t n, float *restrict value)
 {
@@ -126,12 +136,13 @@ SIMD_CLONES static void mix_one(const tap_lanes *restrict t, double of, uint32_t
         value[i] = (float)((((0.0 + t->weight[0][i] * of) + t->weight[1][i] * of) + t->weight[2][i] * of) + t->weight[3][i] * of);
 }
 
-static void find_values(const image_map *map, double one, uint32_t n, tap_lanes *t)
+static void find_values(const image_map *map, uint32_t n, tap_lanes *t)
 {
-    for (uint32_t c = 0; c < map->image->channels; c++) {
-        for (int k = 0; one != 1.0 && k < TAPS; k++)
-            decode(one, n, t->stored[c][k]);
+    for (uint32_t c = 0; c < map->image->channels; c++)
         mix(t, c, n, t->value[c]);
+    if (map->filter == 0.0 && map->transmit == 0.0) {
+        memset(t->value[CHANNELS], 0, 2 * sizeof t->value[0]);
+        return;
     }
     mix_one(t, map->filter, n, t->value[CHANNELS]);
     mix_one(t, map->transmit, n, t->value[CHANNELS + 1]);
@@ -144,7 +155,8 @@ void image_colours(const image_map *map, const vec_lanes *at, uint32_t n, pigmen
     tap_lanes t;
 
     find_taps(at, map->image->width, map->image->height, map->once, whole, &t);
-    find_values(map, fetch_all(map, whole, &t), whole, &t);
+    fetch_all(map, whole, &t);
+    find_values(map, whole, &t);
     for (uint32_t i = 0; i < n; i++) {
         const pigment p = { { t.value[0][i], t.value[green][i], t.value[blue][i] }, t.value[CHANNELS][i], t.value[CHANNELS + 1][i] };
 
