@@ -62,6 +62,17 @@ SIMD_CLONES SIMD_NOINLINE static void scale_axis(pov_two by, pov_two move, const
     while (++i < n);
 }
 
+/* The same where nothing is moved. What would be added is 0, which makes of -0 a 0. */
+SIMD_CLONES SIMD_NOINLINE static void scale_axis_only(pov_two by, const double *restrict at, const double *restrict at_lo, uint32_t n,
+                                        double *restrict out)
+{
+    uint32_t i = 0;
+
+    do
+        out[i] = pov_two_mul(by, pov_two_of(at[i], at_lo[i])).hi + 0.0;
+    while (++i < n);
+}
+
 static const double *axis_of(const vec_lanes *l, int axis) { return axis == 0 ? l->x : axis == 1 ? l->y : l->z; }
 
 static void scale_points(const inverse_map *map, const int from[3], const vec_lanes *at, const vec_lanes *at_lo, uint32_t n, vec_lanes *out)
@@ -70,9 +81,12 @@ static void scale_points(const inverse_map *map, const int from[3], const vec_la
 
     for (int i = 0; i < 3; i++) {
         const int k = from[i];
-        const pov_two by = pov_two_of(map->linear->m[i][k], map->linear->m_lo[i][k]);
+        const pov_two by = pov_two_of(map->linear->m[i][k], map->linear->m_lo[i][k]), move = pov_two_of(map->move[i], map->move_lo[i]);
 
-        scale_axis(by, pov_two_of(map->move[i], map->move_lo[i]), axis_of(at, k), axis_of(at_lo, k), n, to[i]);
+        if (move.hi == 0.0 && move.lo == 0.0)
+            scale_axis_only(by, axis_of(at, k), axis_of(at_lo, k), n, to[i]);
+        else
+            scale_axis(by, move, axis_of(at, k), axis_of(at_lo, k), n, to[i]);
     }
 }
 
