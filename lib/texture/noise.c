@@ -37,7 +37,10 @@ static void fill_hash(noise_tables *t)
 static void fill_measured(noise_tables *t)
 {
     for (uint32_t k = 0; k < NOISE_COPIES; k++)
-        memcpy(t->measured[k] + (NOISE_COPIES - k) % NOISE_COPIES, noise_measured, sizeof noise_measured);
+        memcpy(t->measured[0][k] + (NOISE_COPIES - k) % NOISE_COPIES, noise_measured, sizeof noise_measured);
+    for (uint32_t k = 0; k < NOISE_COPIES; k++)
+        for (uint32_t i = 0; i < NOISE_COPY; i++)
+            t->measured[1][k][i] = 0.5 * t->measured[0][k][i];
     for (uint32_t i = 0; i < NOISE_HASH; i++) {
         const uint32_t from = t->hash[i] & 0xff, k = from % NOISE_COPIES;
 

@@ -24,7 +24,8 @@ typedef struct noise_tables {
     uint16_t hash[NOISE_HASH + 1];                       /* a permutation, and its first number once more */
     uint16_t order[NOISE_GRADIENTS];                     /* of generator 3 */
     uint16_t last[NOISE_HASH];                           /* by a hash: where measured numbers begin, from its low bits */
-    SIMD_ALIGNED double measured[NOISE_COPIES][NOISE_COPY];   /* the same numbers, moved: so all begin where vectors do */
+    SIMD_ALIGNED double measured[2][NOISE_COPIES][NOISE_COPY];   /* the same numbers, moved: so all begin where vectors do;
+                                                          * and their halves */
     noise_wave few[NOISE_WAVES];
     uint32_t waves;                                      /* sources of ripples and waves, NOISE_WAVES at least */
     const noise_wave *wave;                              /* the few, or in a scene's memory */

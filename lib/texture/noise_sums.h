@@ -18,12 +18,12 @@
 /* Numbers of a point that are added up side by side: one of four terms at each corner. */
 enum { CORNERS = NOISE_CORNERS, PARTS = NOISE_PARTS };
 
-/* The lattice's cells by axis, and those above; the corners' weights; places in the cells, and these by point behind 1/2. */
+/* The lattice's cells by axis; the corners' weights; places in the cells, and these by point where set_places() put them. */
 enum { ROW = LANES_MAX + 16 };   /* rows have room for a whole vector from any lane on, and to look at the lane behind each */
 typedef struct SIMD_ALIGNED lattice {
     double weight[CORNERS][ROW], inside[3][ROW];
     double place[LANES_MAX][PARTS];
-    uint32_t low[3][ROW], high[3][ROW];
+    uint32_t low[3][ROW];
 } lattice;
 
 SIMD_INLINE double smooth(double u) { return u * u * (3.0 - 2.0 * u); }
@@ -45,25 +45,32 @@ SIMD_INLINE void set_weights(lattice *restrict out, uint32_t i, double x, double
     out->weight[7][i] = x * y * z;
 }
 
-SIMD_INLINE void set_place(lattice *restrict out, uint32_t i, double first, double x, double y, double z)
+SIMD_INLINE void set_inside(lattice *restrict out, uint32_t i, double x, double y, double z)
 {
-    out->place[i][0] = first;
-    out->place[i][1] = x;
-    out->place[i][2] = y;
-    out->place[i][3] = z;
     out->inside[0][i] = x;
     out->inside[1][i] = y;
     out->inside[2][i] = z;
     set_weights(out, i, smooth(x), smooth(y), smooth(z));
 }
 
+/* Behind `first`, which is 1/2 or 0. */
+SIMD_INLINE void set_places(lattice *l, double first, uint32_t n)
+{
+    for (uint32_t i = 0; i < n; i++) {
+        l->place[i][0] = first;
+        l->place[i][1] = l->inside[0][i];
+        l->place[i][2] = l->inside[1][i];
+        l->place[i][3] = l->inside[2][i];
+    }
+}
+
+enum { CELL_MASK = NOISE_HASH - 1 };
+
 SIMD_INLINE void set_cell(lattice *restrict out, int axis, uint32_t i, double whole)
 {
-    enum { MASK = NOISE_HASH - 1, SHIFT = 10000 };
-    const uint32_t cell = (uint32_t)(int32_t)whole + SHIFT;
+    enum { SHIFT = 10000 };
 
-    out->low[axis][i] = cell & MASK;
-    out->high[axis][i] = (cell + 1) & MASK;
+    out->low[axis][i] = ((uint32_t)(int32_t)whole + SHIFT) & CELL_MASK;
 }
 
 /* near: is_near() said so. */
@@ -76,7 +83,7 @@ SIMD_INLINE void locate_lanes(const vec_lanes *restrict at, double scale, bool n
         set_cell(out, 0, i, xi);
         set_cell(out, 1, i, yi);
         set_cell(out, 2, i, zi);
-        set_place(out, i, 0.5, x - xi, y - yi, z - zi);
+        set_inside(out, i, x - xi, y - yi, z - zi);
     }
 }
 
@@ -115,7 +122,8 @@ SIMD_CLONES static bool is_near(const vec_lanes *restrict at, double scale, uint
 SIMD_INLINE void find_corners(const noise_tables *t, const lattice *l, uint32_t lane, const double *from[CORNERS])
 {
     const uint16_t *const hx = t->hash + l->low[0][lane];   /* and of the cell behind */
-    const uint32_t y[2] = { l->low[1][lane], l->high[1][lane] }, z[2] = { l->low[2][lane], l->high[2][lane] };
+    const uint32_t y[2] = { l->low[1][lane], (l->low[1][lane] + 1) & CELL_MASK };
+    const uint32_t z[2] = { l->low[2][lane], (l->low[2][lane] + 1) & CELL_MASK };
     const double *const copies = (const double *)(const void *)t->measured;   /* one behind the other */
 
     for (int c = 0; c < CORNERS / 2; c++) {
@@ -171,20 +179,22 @@ SIMD_INLINE void join(double parts[][PARTS], uint32_t n, double *restrict out)
 }
 
 /* A point by itself, as films have one. */
-static double sum_point(const noise_tables *t, const lattice *l, uint32_t lane)
+static double sum_point(const noise_tables *t, lattice *l, uint32_t lane)
 {
     const double *from[CORNERS];
     double sum[1][PARTS];
 
+    set_places(l, 0.5, lane + 1);
     find_corners(t, l, lane, from);
     sum_corners(l, lane, from, 1, sum);
     return (sum[0][0] + sum[0][1]) + (sum[0][2] + sum[0][3]);
 }
 
-SIMD_CLONES static void sum_points(const noise_tables *t, const lattice *l, uint32_t n, double *restrict out)
+SIMD_CLONES static void sum_points(const noise_tables *t, lattice *l, uint32_t n, double *restrict out)
 {
     SIMD_ALIGNED double parts[LANES_MAX][PARTS];
 
+    set_places(l, 0.5, n);
     for (uint32_t i = 0; i < n; i++) {
         const double *from[CORNERS];
         double sum[1][PARTS];
@@ -217,6 +227,10 @@ SIMD_INLINE uint64_t find_ends(const lattice *l, uint32_t n)
     return ends;
 }
 
+/* The first part is half a weight times a number: a weight times half the number is the same, but for what is so small that the
+ * other corners' parts, whose weights add up to 1 with it, do not change by it. */
+enum { HALVES = NOISE_COPIES * NOISE_COPY };
+
 /* `count` components of eight lanes; of those that are not of the run too, whose turn comes later. */
 SIMD_INLINE void sum_run(const lattice *l, uint32_t lane, const double *const from[CORNERS], int count, double sums[][ROW])
 {
@@ -228,14 +242,14 @@ SIMD_INLINE void sum_run(const lattice *l, uint32_t lane, const double *const fr
 #pragma GCC unroll 8
     for (int c = 0; c < CORNERS; c++) {
         const __m512d weight = _mm512_loadu_pd(l->weight[c] + lane);
-        const __m512d by[PARTS] = { _mm512_mul_pd(_mm512_set1_pd(0.5), weight), _mm512_mul_pd(by_x[c & 1], weight),
+        const __m512d by[PARTS] = { weight, _mm512_mul_pd(by_x[c & 1], weight),
                                     _mm512_mul_pd(by_y[c >> 1 & 1], weight), _mm512_mul_pd(by_z[c >> 2], weight) };
 
 #pragma GCC unroll 3
         for (int j = 0; j < count; j++)
 #pragma GCC unroll 4
             for (int k = 0; k < PARTS; k++) {
-                const __m512d more = _mm512_mul_pd(by[k], _mm512_set1_pd(from[c][PARTS * j + k]));
+                const __m512d more = _mm512_mul_pd(by[k], _mm512_set1_pd(from[c][PARTS * j + k + (k == 0 ? HALVES : 0)]));
 
                 sum[j][k] = c == 0 ? more : _mm512_add_pd(sum[j][k], more);
                 KEEP_ORDER(sum[j][k]);
@@ -244,6 +258,45 @@ SIMD_INLINE void sum_run(const lattice *l, uint32_t lane, const double *const fr
 #pragma GCC unroll 3
     for (int j = 0; j < count; j++)
         _mm512_storeu_pd(sums[j] + lane, _mm512_add_pd(_mm512_add_pd(sum[j][0], sum[j][1]), _mm512_add_pd(sum[j][2], sum[j][3])));
+}
+
+/* The same of four lanes. */
+SIMD_INLINE void sum_short_run(const lattice *l, uint32_t lane, const double *const from[CORNERS], int count, double sums[][ROW])
+{
+    const __m256d x = _mm256_loadu_pd(l->inside[0] + lane), y = _mm256_loadu_pd(l->inside[1] + lane);
+    const __m256d z = _mm256_loadu_pd(l->inside[2] + lane), one = _mm256_set1_pd(1.0);
+    const __m256d by_x[2] = { x, _mm256_sub_pd(x, one) }, by_y[2] = { y, _mm256_sub_pd(y, one) }, by_z[2] = { z, _mm256_sub_pd(z, one) };
+    __m256d sum[3][PARTS];
+
+#pragma GCC unroll 8
+    for (int c = 0; c < CORNERS; c++) {
+        const __m256d weight = _mm256_loadu_pd(l->weight[c] + lane);
+        const __m256d by[PARTS] = { weight, _mm256_mul_pd(by_x[c & 1], weight),
+                                    _mm256_mul_pd(by_y[c >> 1 & 1], weight), _mm256_mul_pd(by_z[c >> 2], weight) };
+
+#pragma GCC unroll 3
+        for (int j = 0; j < count; j++)
+#pragma GCC unroll 4
+            for (int k = 0; k < PARTS; k++) {
+                const __m256d more = _mm256_mul_pd(by[k], _mm256_set1_pd(from[c][PARTS * j + k + (k == 0 ? HALVES : 0)]));
+
+                sum[j][k] = c == 0 ? more : _mm256_add_pd(sum[j][k], more);
+                KEEP_ORDER(sum[j][k]);
+            }
+    }
+#pragma GCC unroll 3
+    for (int j = 0; j < count; j++)
+        _mm256_storeu_pd(sums[j] + lane, _mm256_add_pd(_mm256_add_pd(sum[j][0], sum[j][1]), _mm256_add_pd(sum[j][2], sum[j][3])));
+}
+
+SIMD_APART static void sum_short_run_of_one(const lattice *l, uint32_t lane, const double *const from[CORNERS], double sums[][ROW])
+{
+    sum_short_run(l, lane, from, 1, sums);
+}
+
+SIMD_APART static void sum_short_run_of_three(const lattice *l, uint32_t lane, const double *const from[CORNERS], double sums[][ROW])
+{
+    sum_short_run(l, lane, from, 3, sums);
 }
 
 /* Of one point: the parts of three components, of the first two in one vector. */
@@ -282,7 +335,12 @@ SIMD_INLINE void sum_runs(const noise_tables *t, const lattice *l, uint32_t n, u
     for (uint32_t i = 0; i < n;) {
         if (begins)
             find_corners(t, l, i, from);
-        sum_run(l, i, from, count, sums);
+        if (ends >> i & 15 && count == 1)
+            sum_short_run_of_one(l, i, from, sums);
+        else if (ends >> i & 15)
+            sum_short_run_of_three(l, i, from, sums);
+        else
+            sum_run(l, i, from, count, sums);
         begins = (ends >> i & 255) != 0;
         i += first_of((uint32_t)(ends >> i) | 128) + 1;
     }
@@ -292,9 +350,9 @@ SIMD_INLINE void sum_runs(const noise_tables *t, const lattice *l, uint32_t n, u
 }
 
 /* So much takes less time by runs: a run is as three points. */
-SIMD_INLINE bool are_runs_long(uint64_t ends, uint32_t n) { return 3 * (uint32_t)__builtin_popcountll(ends) < n; }
+SIMD_INLINE bool are_runs_long(uint64_t ends, uint32_t n) { return 5 * (uint32_t)__builtin_popcountll(ends) < 2 * n; }
 
-static void sum_scalar(const noise_tables *t, const lattice *l, uint32_t n, double *restrict out)
+static void sum_scalar(const noise_tables *t, lattice *l, uint32_t n, double *restrict out)
 {
     const uint64_t ends = n > 1 ? find_ends(l, n) : 1;
     double *const to[] = { out };
@@ -307,7 +365,7 @@ static void sum_scalar(const noise_tables *t, const lattice *l, uint32_t n, doub
         sum_points(t, l, n, out);
 }
 
-static void sum_vector(const noise_tables *t, const lattice *l, uint32_t n, vec_lanes *restrict out)
+static void sum_vector(const noise_tables *t, lattice *l, uint32_t n, vec_lanes *restrict out)
 {
     SIMD_ALIGNED double parts[3][LANES_MAX][PARTS];
     const uint64_t ends = find_ends(l, n);
@@ -317,13 +375,14 @@ static void sum_vector(const noise_tables *t, const lattice *l, uint32_t n, vec_
         sum_runs(t, l, n, ends, 3, to);
         return;
     }
+    set_places(l, 0.5, n);
     for (uint32_t i = 0; i < n; i++)
         sum_point_of_three(t, l, i, parts);
     for (int j = 0; j < 3; j++)
         join(parts[j], n, to[j]);
 }
 #else
-static void sum_scalar(const noise_tables *t, const lattice *l, uint32_t n, double *out)
+static void sum_scalar(const noise_tables *t, lattice *l, uint32_t n, double *out)
 {
     if (n == 1)
         out[0] = sum_point(t, l, 0);
@@ -331,10 +390,11 @@ static void sum_scalar(const noise_tables *t, const lattice *l, uint32_t n, doub
         sum_points(t, l, n, out);
 }
 
-SIMD_CLONES static void sum_vector(const noise_tables *t, const lattice *l, uint32_t n, vec_lanes *restrict out)
+SIMD_CLONES static void sum_vector(const noise_tables *t, lattice *l, uint32_t n, vec_lanes *restrict out)
 {
     SIMD_ALIGNED double parts[3][LANES_MAX][PARTS];
 
+    set_places(l, 0.5, n);
     for (uint32_t i = 0; i < n; i++) {
         const double *from[CORNERS];
         double sum[3][PARTS];
@@ -371,7 +431,7 @@ SIMD_CLONES static void locate_3(const vec_lanes *restrict at, double scale, uin
         out->low[0][i] = (uint32_t)(int32_t)xi;
         out->low[1][i] = (uint32_t)(int32_t)yi;
         out->low[2][i] = (uint32_t)(int32_t)zi;
-        set_place(out, i, 0.0, x - xi, y - yi, z - zi);
+        set_inside(out, i, x - xi, y - yi, z - zi);
     }
 }
 
@@ -387,10 +447,11 @@ SIMD_INLINE void find_corners_3(const noise_tables *t, const lattice *l, uint32_
     }
 }
 
-SIMD_CLONES static void sum_gradients(const noise_tables *t, const lattice *l, uint32_t n, double *restrict out)
+SIMD_CLONES static void sum_gradients(const noise_tables *t, lattice *l, uint32_t n, double *restrict out)
 {
     SIMD_ALIGNED double parts[LANES_MAX][PARTS];
 
+    set_places(l, 0.0, n);
     for (uint32_t i = 0; i < n; i++) {
         const double *from[CORNERS];
         double sum[1][PARTS];
