@@ -5,12 +5,18 @@
 
 #include "common/lanes.h"
 #include "common/roots.h"
+#include "common/sphere.h"
+
+/* By its radii: a ring; without the first radius a sphere, without the second one a circle, which rays only touch. */
+typedef enum torus_kind { TORUS_RING, TORUS_SPHERE, TORUS_CIRCLE } torus_kind;
 
 typedef struct torus {
     double R, r;                   /* times scale */
     double scale;                  /* a power of two that makes R + r of the order of one */
     pov_two ring, hollow, lens;    /* R^2; R^2 - r^2; what p.p is below on the inner sheet of a spindle, else 0 or less */
     double major, minor;           /* as written */
+    torus_kind kind;
+    common_sphere sphere;          /* the sphere */
 } torus;
 
 enum { ENTERING, EXITING };

@@ -3,12 +3,28 @@
  * Along a ray this is a quartic. It is taken about the point of the ray that is nearest to the centre, over the stretch
  * within the sphere around the torus, so that distance changes nothing. Its roots are isolated with certainty and
  * completed in double-double. On a ray that starts on the torus that root is divided out. Of a spindle (r > R) the
- * outer sheet alone is the surface: what it holds is inside, and no ray meets the inner one. */
+ * outer sheet alone is the surface: what it holds is inside, and no ray meets the inner one. Without R that is a sphere, which
+ * has two equal sheets and so a kernel of its own. */
 #include "common/radius.h"
 #include "common/torus.h"
 #include "common/turns.h"
 
 /* ---- loading ---- */
+
+static void find_kind(torus *t, const pov_host *host, pov_reader *in)
+{
+    const pov_vec3 zero = { 0.0, 0.0, 0.0 };
+
+    if (!(t->minor > 0.0)) {
+        t->kind = TORUS_CIRCLE;
+        host->warn(in, "the second radius of this torus is 0: it is not seen");
+    } else if (!(t->major > 0.0)) {
+        t->kind = TORUS_SPHERE;
+        host->warn(in, "the first radius of this torus is 0: it is a sphere");
+    }
+    t->sphere.centre = pov_two3_of(zero, zero);
+    t->sphere.radius = pov_two_of(t->minor, 0.0);
+}
 
 static void parse(void *self, const pov_host *host, pov_reader *in)
 {
@@ -20,8 +36,7 @@ static void parse(void *self, const pov_host *host, pov_reader *in)
     t->minor = common_radius(host, in);
     if (host->accept(in, "sturm") && host->more(in))
         host->boolean(in);
-    if (!(t->major > 0.0 && t->minor > 0.0))
-        host->fail(in, "the radii of a torus must not be 0");
+    find_kind(t, host, in);
     t->scale = pov_inverse_power(fmax(t->major, t->minor));
     t->R = t->major * t->scale;
     t->r = t->minor * t->scale;
@@ -43,13 +58,65 @@ static bool bounds(const void *self, pov_box *out)
 
 /* ---- the surface ---- */
 
+static void intersect(const void *self, const pov_ray *ray, pov_hits *hits)
+{
+    const torus *t = self;
+
+    if (t->kind == TORUS_RING)
+        common_torus_intersect(t, ray, hits);
+    else if (t->kind == TORUS_SPHERE)
+        common_sphere_intersect(&t->sphere, ray, hits);
+}
+
+static void normal(const void *self, const pov_ray *ray, const pov_crossing *at, pov_vec3 *out)
+{
+    const torus *t = self;
+
+    if (t->kind == TORUS_SPHERE)
+        common_sphere_normal(&t->sphere, ray, at, out);
+    else
+        common_torus_normal(t, ray, at, out);
+}
+
+static bool are_rings(const void *const *selves, uint32_t n)
+{
+    while (n > 0 && ((const torus *)selves[n - 1])->kind == TORUS_RING)
+        n--;
+    return n == 0;
+}
+
+static void intersect_many(const void *const *selves, const pov_ray *const *rays, pov_hits *const *hits, uint32_t n)
+{
+    if (are_rings(selves, n)) {
+        common_torus_intersect_many(selves, rays, hits, n);
+        return;
+    }
+    for (uint32_t i = 0; i < n; i++)
+        intersect(selves[i], rays[i], hits[i]);
+}
+
+static void normal_many(const void *const *selves, const pov_ray *const *rays, const pov_crossing *const *at, pov_vec3 *const *out, uint32_t n)
+{
+    if (are_rings(selves, n)) {
+        common_torus_normal_many(selves, rays, at, out, n);
+        return;
+    }
+    for (uint32_t i = 0; i < n; i++)
+        normal(selves[i], rays[i], at[i], out[i]);
+}
+
+static uint32_t narrow(const void *self, const pov_own_map *map, uint32_t owner, const pov_rays *rays, pov_candidate *io, uint32_t n)
+{
+    return ((const torus *)self)->kind == TORUS_RING ? common_torus_narrow(self, map, owner, rays, io, n) : n;
+}
+
 static bool inside(const void *self, pov_vec3 point, pov_vec3 point_lo)
 {
     const pov_vec3 zero = { 0.0, 0.0, 0.0 };
     const torus *t = self;
     const pov_two3 p = common_offset(point, point_lo, pov_two3_of(zero, zero), t->scale);
 
-    return is_in_lens(t, p) || value_at(t, p).hi <= 0.0;
+    return t->kind != TORUS_CIRCLE && (is_in_lens(t, p) || value_at(t, p).hi <= 0.0);
 }
 
 static void uv(const void *self, pov_vec3 point, const pov_mark *mark, double out[2])
@@ -63,9 +130,9 @@ static void uv(const void *self, pov_vec3 point, const pov_mark *mark, double ou
 
 static const pov_shape_fast torus_fast = {
     .size = sizeof(pov_shape_fast),
-    .intersect_many = common_torus_intersect_many,
-    .normal_many = common_torus_normal_many,
-    .narrow = common_torus_narrow,
+    .intersect_many = intersect_many,
+    .normal_many = normal_many,
+    .narrow = narrow,
 };
 
 static const void *extension(const char *name) { return common_is_fast(name) ? &torus_fast : NULL; }
@@ -77,8 +144,8 @@ static const pov_shape_class torus_class = {
     .instance_size = sizeof(torus),
     .parse = parse,
     .bounds = bounds,
-    .intersect = common_torus_intersect,
-    .normal = common_torus_normal,
+    .intersect = intersect,
+    .normal = normal,
     .inside = inside,
     .uv = uv,
     .extension = extension,

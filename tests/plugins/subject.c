@@ -34,6 +34,7 @@ static const struct { const char *keyword, *text; } texts[] = {
     { "quadric", "<0, 0, 0>, <0, 0, 0>, <0, 1, 0>, 0.5" },
     { "torus", "1, 0.25" },
     { "torus", "0.5, 0.01" },
+    { "torus", "0, 0.75" },
     { "torus", "2e6, 1e4" },
     { "torus", "1e-90, 0.9e-90" },
     { "plane", "<0, 1, 0>, -0.5" },

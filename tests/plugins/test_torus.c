@@ -53,11 +53,44 @@ static void the_axis_meets_a_spindle_in_its_poles(void **state)
         }
 }
 
+static pov_ray ray_at(double x, double y)
+{
+    const pov_ray ray = { .org = { x, y, -3.0 }, .dir = { 0.0, 0.0, 1.0 }, .origin_surface = POV_NO_OWNER };
+
+    return ray;
+}
+
+/* Rounded cylinders of the standard include files end in such tori. */
+static void without_the_first_radius_it_is_a_sphere(void **state)
+{
+    pov_crossing at[4];
+
+    (void)state;
+    for (int exact = 0; exact < 2; exact++) {
+        assert_int_equal(cross("0, 1", ray_at(0.6, 0.0), exact, at), 2);
+        assert_true(fabs(at[0].t - 2.2) <= 0x1p-50 && fabs(at[1].t - 3.8) <= 0x1p-50);
+        assert_int_equal(cross("0, 1", ray_at(0.8, 0.7), exact, at), 0);
+    }
+}
+
+static void without_the_second_radius_it_is_not_seen(void **state)
+{
+    pov_crossing at[4];
+
+    (void)state;
+    for (int exact = 0; exact < 2; exact++) {
+        assert_int_equal(cross("1, 0", ray_at(0.6, 0.0), exact, at), 0);
+        assert_int_equal(cross("0, 0", ray_at(0.0, 0.0), exact, at), 0);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(equal_radii_touch_in_a_point_that_a_ray_passes),
         cmocka_unit_test(the_axis_meets_a_spindle_in_its_poles),
+        cmocka_unit_test(without_the_first_radius_it_is_a_sphere),
+        cmocka_unit_test(without_the_second_radius_it_is_not_seen),
     };
 
     torus = fake_reader_shape("torus");
