@@ -236,7 +236,7 @@ static bool report_clip(clip_search *s, pov_hits *hits)
     begin(s, s->w);
     if (s->w->tree->clipped.loose)
         return false;
-    if (!narrow_all(s, hits))
+    if (!narrow_all(s, hits) || s->unsure)
         return !s->unsure;
     end = s->enter > 0.0 ? &s->entry : &s->exit;
     if (csg_member_at(s->w, end)->hidden)

@@ -111,7 +111,7 @@ static void make_any(const scene *s, probe *p)
     make_endless(p);
 }
 
-static node_ref add_probe(scene *s, probe p)
+static node_ref add_moved(scene *s, probe p, const transform *map, uint32_t flags)
 {
     shape_class written;
     const shape_class *shape;
@@ -124,7 +124,14 @@ static node_ref add_probe(scene *s, probe p)
         written.instance_size = shape->parsed_size;
     written.prepare = NULL;
     assert_true(probe_make(&p, &written, s->in, self));
-    return test_add(&s->model, shape, self, U() < 0.6 ? s->map : make_map(&s->model), 0, s->endless && U() < 0.1 ? LEAF_INVERSE : 0);
+    return test_add(&s->model, shape, self, map, 0, flags);
+}
+
+static node_ref add_probe(scene *s, probe p)
+{
+    const transform *map = U() < 0.6 ? s->map : make_map(&s->model);
+
+    return add_moved(s, p, map, s->endless && U() < 0.1 ? LEAF_INVERSE : 0);
 }
 
 static node_ref add_member(scene *s)
@@ -300,6 +307,27 @@ static void ask(scene *s, tally *out)
     }
 }
 
+static void begin_scene(scene *s)
+{
+    memset(s, 0, sizeof *s);
+    test_model_init(&s->model, NULL);
+    s->in = fake_reader_create();
+}
+
+static void compile(scene *s)
+{
+    side_compile(&s->filtered, &s->model, POV_ACCEL_TREE, false);
+    side_compile(&s->exact, &s->model, POV_ACCEL_TREE, true);
+}
+
+static void end_scene(scene *s)
+{
+    side_discard(&s->filtered);
+    side_discard(&s->exact);
+    model_free(&s->model);
+    fake_reader_destroy(s->in);
+}
+
 typedef void make_tree_fn(scene *s);
 
 static tally ask_all(make_tree_fn *make)
@@ -310,18 +338,12 @@ static tally ask_all(make_tree_fn *make)
     while (all.rays < rays) {
         scene s;
 
-        memset(&s, 0, sizeof s);
-        test_model_init(&s.model, NULL);
-        s.in = fake_reader_create();
+        begin_scene(&s);
         s.map = make_map(&s.model);
         make(&s);
-        side_compile(&s.filtered, &s.model, POV_ACCEL_TREE, false);
-        side_compile(&s.exact, &s.model, POV_ACCEL_TREE, true);
+        compile(&s);
         ask(&s, &all);
-        side_discard(&s.filtered);
-        side_discard(&s.exact);
-        model_free(&s.model);
-        fake_reader_destroy(s.in);
+        end_scene(&s);
     }
     print_message("%ld rays, %ld hits, %ld blocked; %ld hits of rays side by side\n", all.rays, all.hits, all.blocked, all.together);
     return all;
@@ -359,6 +381,34 @@ static void outlines_of_what_cuts_a_surface_find_what_the_walk_finds(void **stat
     assert_true(all.hits > rays / 20 && all.blocked > all.hits / 2);
 }
 
+/* A ray that is inside the torus enters a box and a cylinder in one plane: the first in the text shows. */
+static void a_plane_of_two_clips_is_the_first_ones(void **state)
+{
+    static const probe members[] = {
+        { .kind = TORUS, .count = 2, .size = 1.0, .number = { 0.5, 0.18 } },
+        { .kind = BOX, .count = 6, .size = 1.0, .number = { -0.5, -0.1, -0.1, 0.5, 0.1, 0.1 } },
+        { .kind = CYLINDER, .count = 7, .size = 1.0, .number = { -0.5, 0.0, 0.0, 0.25, 0.0, 0.0, 0.1 } },
+    };
+    const pov_ray ray = { .org = { -1.0, -0.04, -0.08 }, .dir = { 1.0, 0.1, 0.2 }, .origin_surface = POV_NO_OWNER };
+    group_node all = { .op = NODE_INTERSECTION, .line = 1, .column = 1 };
+    tally out = { 0, 0, 0, 0 };
+    node_ref children[3], root;
+    scene s;
+    hit h;
+
+    (void)state;
+    begin_scene(&s);
+    for (int i = 0; i < 3; i++)
+        children[i] = add_moved(&s, members[i], NULL, 0);
+    assert_true(model_add_group(&s.model, &all, children, 3, &root));
+    assert_true(model_add_tree(&s.model, root));
+    compile(&s);
+    assert_true(compare(&s, &ray, &h, &out));
+    assert_int_equal(h.object, 1);
+    assert_true(h.crossing.t == 0.5);
+    end_scene(&s);
+}
+
 int main(int argc, char **argv)
 {
     const struct CMUnitTest tests[] = {
@@ -366,6 +416,7 @@ int main(int argc, char **argv)
         cmocka_unit_test(outlines_of_any_nodes_find_what_the_walk_finds),
         cmocka_unit_test(outlines_of_clips_find_what_the_walk_finds),
         cmocka_unit_test(outlines_of_what_cuts_a_surface_find_what_the_walk_finds),
+        cmocka_unit_test(a_plane_of_two_clips_is_the_first_ones),
     };
 
     if (argc > 1)
