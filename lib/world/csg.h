@@ -49,6 +49,9 @@ typedef struct csg_member {
 /* Bounds of members: of one member, or of two halves: the next bounds, and `other`. */
 typedef struct csg_bound { pov_box box; uint32_t member, other; } csg_bound;
 
+/* An infinite member that is no cut. boxed: it is of a part within a box, which a ray that misses the box has nothing of. */
+typedef struct csg_endless { uint32_t member; bool boxed; pov_box box; } csg_endless;
+
 /* A member that is a half-space, or its complement; the tree lies within `within`. */
 typedef struct csg_cut { pov_half_space within; uint32_t member; } csg_cut;
 
@@ -108,7 +111,7 @@ typedef struct csg_tree {
     csg_state *outside;          /* by node: states outside all members */
     node_ref *children;
     csg_bound *bounds;           /* bounds of the finite members; the first one around all */
-    uint32_t *endless;           /* infinite members that are no cuts */
+    csg_endless *endless;
     uint32_t member_count, node_count, child_count, bounds_count, endless_count;
     uint32_t open_count;         /* members that are open */
     bool boxed, empty;           /* boxed: it is finite; empty: its members have nothing in common */
@@ -158,6 +161,7 @@ typedef struct csg_scratch {
     pov_crossing *crossings;
     uint32_t capacity;
     csg_state *states;           /* by node */
+    csg_state *before;           /* before crossings that coincide */
     uint8_t *inside;             /* by member; zero between walks */
     uint32_t *asked;             /* members that were intersected */
     csg_near *near;              /* heap of bounds to be opened, nearest first */

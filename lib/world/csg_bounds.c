@@ -37,6 +37,14 @@ static bool box_of_all(const extents *x, const csg_node *n, pov_box *out)
     return true;
 }
 
+/* The intersection that an intersection's child is, or NULL. */
+static const csg_node *intersection_below(const csg_tree *t, node_ref child)
+{
+    const csg_node *below = &t->nodes[child & ~NODE_GROUP];
+
+    return (child & NODE_GROUP) && below->op == NODE_INTERSECTION && !below->inverse ? below : NULL;
+}
+
 typedef void half_space_sink(void *to, const pov_half_space *one, bool complement, uint32_t member);
 
 /* Tell of the half-spaces that an intersection is part of. */
@@ -44,11 +52,11 @@ static void find_half_spaces(const extents *x, const csg_node *n, half_space_sin
 {
     for (uint32_t i = 0; i < n->child_count; i++) {
         const node_ref child = x->tree->children[n->child + i];
-        const csg_node *below = &x->tree->nodes[child & ~NODE_GROUP];
+        const csg_node *below = intersection_below(x->tree, child);
 
         if (!(child & NODE_GROUP) && x->of[child].is_half_space)
             take(to, &x->of[child].half_space, x->tree->members[child].inverse, child);
-        else if ((child & NODE_GROUP) && below->op == NODE_INTERSECTION && !below->inverse)
+        else if (below)
             find_half_spaces(x, below, take, to);
     }
 }
@@ -65,9 +73,12 @@ static void add_hulls(const extents *x, const csg_node *n, half_spaces *all)
 
     for (uint32_t i = 0; i < n->child_count; i++) {
         const node_ref child = x->tree->children[n->child + i];
+        const csg_node *below = intersection_below(x->tree, child);
         uint32_t count = 0;
 
-        if (!(child & NODE_GROUP) && !x->of[child].boxed && !x->tree->members[child].inverse)
+        if (below)
+            add_hulls(x, below, all);
+        else if (!(child & NODE_GROUP) && !x->of[child].boxed && !x->tree->members[child].inverse)
             count = x->source->hull(x->source->user, x->tree->members[child].leaf, all, found);
         for (uint32_t k = 0; k < count; k++)
             half_spaces_add(all, &found[k], false, child);
@@ -129,9 +140,9 @@ static bool box_of(const extents *x, node_ref node, pov_box *out)
 }
 
 /* Parts outside the tree's box are clipped. */
-static void find_boxes(csg_tree *t, const csg_source *source, const csg_extent *of)
+static void find_boxes(csg_tree *t, const extents *x)
 {
-    const extents x = { t, source, of };
+    const csg_extent *of = x->of;
     uint32_t i;
 
     for (i = 0; i < t->member_count; i++) {
@@ -140,7 +151,7 @@ static void find_boxes(csg_tree *t, const csg_source *source, const csg_extent *
         if (of[i].boxed)
             t->size = fmax(t->size, fmax(pov_largest(of[i].box.lo), pov_largest(of[i].box.hi)));
     }
-    t->boxed = box_of(&x, NODE_GROUP, &t->box);
+    t->boxed = box_of(x, NODE_GROUP, &t->box);
     t->empty = t->boxed && is_empty(&t->box);
     if (t->boxed && !t->empty)
         t->size = fmax(t->size, fmax(pov_largest(t->box.lo), pov_largest(t->box.hi)));
@@ -238,15 +249,13 @@ static void take_cut(void *to, const pov_half_space *one, bool complement, uint3
 }
 
 /* False: no memory. */
-static bool keep_cuts(csg_tree *t, const env *e, const csg_extent *of)
+static bool keep_cuts(csg_tree *t, const env *e, const extents *x)
 {
-    const extents x = { t, NULL, of };
-
     if (!t->boxed || t->nodes[0].op != NODE_INTERSECTION || t->nodes[0].inverse)
         return true;
     t->cuts = env_resize(e, NULL, t->member_count, sizeof *t->cuts);
     if (t->cuts)
-        find_half_spaces(&x, &t->nodes[0], take_cut, t);
+        find_half_spaces(x, &t->nodes[0], take_cut, t);
     return t->cuts;
 }
 
@@ -258,16 +267,81 @@ static bool is_cut(const csg_tree *t, uint32_t member)
     return false;
 }
 
+/* ---- infinite members of finite parts ---- */
+
+/* By node, as far as asked: is it finite, and its box. empties: an infinite member is of it that is no complement: unless a ray asks
+ * that one, the part is empty, whatever its others are. */
+typedef struct part { uint8_t asked, boxed, empties; pov_box box; } part;
+
+static part *ask_part(const extents *x, part *all, uint32_t node)
+{
+    part *p = &all[node];
+
+    p->boxed = p->asked ? p->boxed : box_of(x, node | NODE_GROUP, &p->box);
+    p->asked = 1;
+    return p;
+}
+
+/* The outermost intersection around a member, if it is finite and the tree is not part of it. Else NULL. */
+static part *part_of(const extents *x, part *all, uint32_t member)
+{
+    const csg_node *nodes = x->tree->nodes;
+    part *found = NULL;
+
+    for (uint32_t i = x->tree->members[member].node; nodes[i].op == NODE_INTERSECTION && !nodes[i].inverse; i = nodes[i].parent) {
+        if (i == 0)
+            return NULL;
+        if (ask_part(x, all, i)->boxed)
+            found = &all[i];
+    }
+    return found;
+}
+
+static void find_parts(const extents *x, csg_tree *t, part *all)
+{
+    for (uint32_t i = 0; i < t->endless_count; i++) {
+        part *p = part_of(x, all, t->endless[i].member);
+
+        if (p && !t->members[t->endless[i].member].inverse)
+            p->empties = 1;
+    }
+    for (uint32_t i = 0; i < t->endless_count; i++) {
+        const part *p = part_of(x, all, t->endless[i].member);
+
+        t->endless[i].boxed = p && p->empties;
+        if (t->endless[i].boxed)
+            t->endless[i].box = p->box;
+    }
+}
+
+/* False: no memory. */
+static bool find_endless(csg_tree *t, const env *e, const extents *x)
+{
+    part *parts = env_alloc(e, t->node_count, sizeof *parts);
+
+    t->endless = env_resize(e, NULL, t->member_count, sizeof *t->endless);
+    for (uint32_t i = 0; t->endless && i < t->member_count; i++)
+        if (!t->members[i].boxed && !is_cut(t, i))
+            t->endless[t->endless_count++].member = i;
+    if (parts && t->endless)
+        find_parts(x, t, parts);
+    env_free(e, parts);
+    return parts && t->endless;
+}
+
+/* ---- the tree ---- */
+
 static bool ask_extents(csg_tree *t, const env *e, const csg_source *source)
 {
     csg_extent *of = env_resize(e, NULL, t->member_count, sizeof *of);
+    const extents x = { t, source, of };
     bool kept;
 
     for (uint32_t i = 0; of && i < t->member_count; i++)
         source->extent(source->user, t->members[i].leaf, &of[i]);
     if (of)
-        find_boxes(t, source, of);
-    kept = of && keep_cuts(t, e, of);
+        find_boxes(t, &x);
+    kept = of && keep_cuts(t, e, &x) && find_endless(t, e, &x);
     env_free(e, of);
     return kept;
 }
@@ -288,16 +362,9 @@ bool csg_find_bounds(csg_tree *t, const env *e, const csg_source *source)
     const bool asked = ask_extents(t, e, source);
 
     t->bounds = env_resize(e, NULL, 2 * (size_t)t->member_count, sizeof *t->bounds);
-    t->endless = env_resize(e, NULL, t->member_count, sizeof *t->endless);
-    if (asked && ids && t->bounds && t->endless)
-        for (uint32_t i = 0; i < t->member_count; i++) {
-            if (is_cut(t, i))
-                continue;
-            if (!t->members[i].boxed)
-                t->endless[t->endless_count++] = i;
-            else if (!t->members[i].absent)
-                ids[count++] = i;
-        }
+    for (uint32_t i = 0; asked && ids && t->bounds && i < t->member_count; i++)
+        if (!is_cut(t, i) && t->members[i].boxed && !t->members[i].absent)
+            ids[count++] = i;
     for (uint32_t i = 0; i < t->member_count; i++)
         t->members[i].needed = is_needed(t, &t->members[i]);
     if (count > 0) {
@@ -305,5 +372,5 @@ bool csg_find_bounds(csg_tree *t, const env *e, const csg_source *source)
         find_few(t, count);
     }
     env_free(e, ids);
-    return asked && ids && t->bounds && t->endless;
+    return asked && ids && t->bounds;
 }

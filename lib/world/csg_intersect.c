@@ -5,6 +5,8 @@
 
 #include "base/simd.h"
 
+#include <string.h>
+
 /* In the mark of a crossing of a member that clips. */
 #define APPLIED 0x04000000u
 
@@ -49,8 +51,19 @@ static bool is_changed(const csg_traversal *w, uint32_t which, uint32_t first, u
     return times & 1;
 }
 
-/* The coincident crossing whose surface is reported: of the members that are entered or left like the solid, the
- * earliest in the text. */
+/* Do the nodes above a member change by the coincident crossings, all up to the root? */
+static bool is_passed_on(const csg_traversal *w, const csg_member *m)
+{
+    const csg_scratch *s = w->scratch;
+    uint32_t node = m->node;
+
+    while (node != 0 && s->states[node].value != s->before[node].value)
+        node = w->tree->nodes[node].parent;
+    return node == 0;
+}
+
+/* The coincident crossing whose surface is reported: of the members that are entered or left like the solid and whose change is
+ * passed on to it, the earliest in the text. */
 static const pov_crossing *owner_of(const csg_traversal *w, uint32_t first, uint32_t end, bool enters)
 {
     const pov_crossing *at = w->found.at, *best = NULL, *other = NULL;
@@ -62,7 +75,8 @@ static const pov_crossing *owner_of(const csg_traversal *w, uint32_t first, uint
         if (m->hidden || m->patch)
             continue;
         other = other ? other : &at[i];
-        if ((entered != m->turned) == enters && (!best || at[i].owner < best->owner) && is_changed(w, i, first, end))
+        if ((entered != m->turned) == enters && (!best || at[i].owner < best->owner) && is_changed(w, i, first, end) &&
+            (end == first + 1 || is_passed_on(w, m)))
             best = &at[i];
     }
     return best ? best : other;
@@ -211,6 +225,8 @@ static bool pass_point(csg_traversal *w, pov_hits *hits)
     update_open(w, w->found.at[first].t - step);
     clip(w, first, end, true);
     before = root->value;
+    if (end > first + 1)
+        memcpy(w->scratch->before, w->scratch->states, w->tree->node_count * sizeof *w->scratch->before);
     apply(w, first, end);
     update_open(w, w->found.at[end - 1].t + step);
     enters = root->value > before;

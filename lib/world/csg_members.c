@@ -45,16 +45,18 @@ bool csg_scratch_init(csg_scratch *s, const csg_size *most, const env *e)
     if (nodes == 0)
         return true;
     s->states = env_alloc(e, nodes, sizeof *s->states);
+    s->before = env_alloc(e, nodes, sizeof *s->before);
     s->inside = env_alloc(e, members, sizeof *s->inside);
     s->asked = env_alloc(e, members, sizeof *s->asked);
     s->near = env_alloc(e, 2 * (size_t)members, sizeof *s->near);
-    return s->states && s->inside && s->asked && s->near;
+    return s->states && s->before && s->inside && s->asked && s->near;
 }
 
 void csg_scratch_free(csg_scratch *s)
 {
     env_free(s->env, s->crossings);
     env_free(s->env, s->states);
+    env_free(s->env, s->before);
     env_free(s->env, s->inside);
     env_free(s->env, s->asked);
     env_free(s->env, s->near);
@@ -406,6 +408,20 @@ static void test_cuts(csg_traversal *w)
     }
 }
 
+/* Infinite members; those of parts that the ray misses, or comes to beyond its end, stay outside. */
+static void test_endless(csg_traversal *w, double end)
+{
+    const csg_tree *t = w->tree;
+
+    for (uint32_t i = 0; i < t->endless_count && !w->missed; i++) {
+        const csg_endless *of = &t->endless[i];
+        double enter, leave = end;
+
+        if (!of->boxed || hits_box(w, &of->box, &enter, &leave))
+            test_member(w, of->member, NULL);
+    }
+}
+
 /* ---- in order ---- */
 
 void csg_traversal_init(csg_traversal *w, const csg_tree *tree, const pov_ray *ray, const pov_hits *hits)
@@ -447,8 +463,7 @@ void csg_traversal_begin(csg_traversal *w, const pov_hits *hits, bool exact)
     w->applied = w->asked_count = w->near_count = 0;
     w->unsure = w->missed = false;
     memcpy(s->states, t->outside, t->node_count * sizeof *s->states);
-    for (uint32_t i = 0; i < t->endless_count && !w->missed; i++)
-        test_member(w, t->endless[i], NULL);
+    test_endless(w, fmin(w->leave, hits->tmax + hits->slack));
     if (w->missed)
         return;
     test_cuts(w);

@@ -364,18 +364,31 @@ static int end_of(course *c, int first)
     return end;
 }
 
-static uint32_t owner_of(const scene *s, course *c, int first, int end, bool enters)
+/* Does a member change, and each node above it? */
+static bool is_passed_on(const scene *s, const course *before, const course *c, node_ref node, uint32_t member)
+{
+    const group_node *g = &s->model.groups.items[node & ~NODE_GROUP];
+    bool found = false;
+
+    if (!(node & NODE_GROUP))
+        return node == member && c->inside[node] != before->inside[node];
+    if (value_of(s, c, node, NULL, 0, 1) == value_of(s, before, node, NULL, 0, 1))
+        return false;
+    for (uint32_t i = 0; i < g->child_count; i++)
+        found = found || is_passed_on(s, before, c, s->model.children.items[g->child + i], member);
+    return found;
+}
+
+static uint32_t owner_of(const scene *s, const course *before, course *c, int first, int end, bool enters)
 {
     uint32_t best = UINT32_MAX;
 
     for (int i = first; i < end; i++) {
         const uint32_t m = c->at[i].member;
-        int times = 0, sense = 0;
+        int sense = 0;
 
-        for (int k = first; k < end; k++)
-            times += c->at[k].member == m;
         value_of(s, c, s->root, &sense, m, 1);
-        if (!s->hidden[m] && times & 1 && (c->inside[m] == (sense > 0)) == enters && m < best)
+        if (!s->hidden[m] && (c->inside[m] == (sense > 0)) == enters && m < best && is_passed_on(s, before, c, s->root, m))
             best = m;
     }
     return best;
@@ -401,10 +414,12 @@ static bool first_surface(const scene *s, course *c, real *t, double *cosine, ui
 {
     for (int first = 0, end; first < c->count; first = end) {
         bool applied[PLACES_MAX] = { false };
+        course uncovered;
         int before, after;
 
         end = end_of(c, first);
         apply(s, c, first, end, true, true, applied);
+        uncovered = *c;
         before = value_of(s, c, s->root, NULL, 0, 1);
         apply(s, c, first, end, false, false, applied);
         after = value_of(s, c, s->root, NULL, 0, 1);
@@ -416,7 +431,7 @@ static bool first_surface(const scene *s, course *c, real *t, double *cosine, ui
         *cosine = c->at[first].cosine;
         *enters = after > before;
         *shared = end - first > 1;
-        *owner = owner_of(s, c, first, end, *enters);
+        *owner = owner_of(s, &uncovered, c, first, end, *enters);
         c->open = c->open || *owner == UINT32_MAX;
         return true;
     }

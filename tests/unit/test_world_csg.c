@@ -870,6 +870,86 @@ static void of_many_faces_few_are_asked(void **state)
     end(&s);
 }
 
+/* A cube made of half-spaces, the last ones of which are written as complements of what lies beyond. */
+static node_ref cube_of_faces(model *m, const shape_class *face, double x, double size, int complements)
+{
+    node_ref leaves[6];
+
+    for (int i = 0; i < 6; i++) {
+        const bool complement = i >= 6 - complements;
+        const double sign = i % 2 ? -1.0 : 1.0, turn = complement ? -sign : sign;
+        const pov_half_space f = { { i / 2 == 0 ? turn : 0.0, i / 2 == 1 ? turn : 0.0, i / 2 == 2 ? turn : 0.0 },
+                                   (complement ? -1.0 : 1.0) * (size + (i / 2 == 0 ? sign * x : 0.0)) };
+
+        leaves[i] = test_add(m, face, &f, NULL, 0, complement ? LEAF_INVERSE : 0);
+    }
+    return group(m, NODE_INTERSECTION, false, leaves, 6);
+}
+
+/* Of finite parts of infinite members a ray asks those that it comes to; unless all of a part are complements. */
+static void members_of_parts_elsewhere_are_not_asked(void **state)
+{
+    static const int asked[] = { 6 + 6, 6 + 6, 6 };
+    const shape_class face = face_class();
+    node_ref parts[3];
+    scene s;
+    hit h;
+
+    (void)state;
+    begin(&s);
+    parts[0] = cube_of_faces(&s.model, &face, -10.0, 1.0, 0);
+    parts[1] = cube_of_faces(&s.model, &face, 0.0, 2.0, 5);
+    parts[2] = cube_of_faces(&s.model, &face, 10.0, 3.0, 6);
+    assert_true(model_add_tree(&s.model, group(&s.model, NODE_MERGE, false, parts, 3)));
+    compile(&s, POV_ACCEL_TREE);
+    for (int i = 0; i < 3; i++) {
+        const pov_ray down = ray_from(pov_vec3_of(-9.5 + 10.0 * i, 5.0, 0.25), pov_vec3_of(0.0, -1.0, 0.0));
+
+        face_asked = 0;
+        assert_true(test_nearest(s.world, s.context, &down, HUGE_VAL, &h));
+        assert_true(h.crossing.t == 4.0 - i);
+        assert_int_equal(h.object / 6, i);
+        assert_true(face_asked <= asked[i]);
+    }
+    end(&s);
+}
+
+static uint32_t rod_hull(const void *self, const pov_half_space *within, uint32_t n, pov_half_space *out)
+{
+    (void)self;
+    (void)within;
+    (void)n;
+    for (int i = 0; i < 4; i++)
+        out[i] = (pov_half_space){ { i / 2 == 0 ? 1.0 - i % 2 * 2.0 : 0.0, 0.0, i / 2 == 1 ? 1.0 - i % 2 * 2.0 : 0.0 }, 1.0 };
+    return 4;
+}
+
+/* Half of what bounds a rod stands in an intersection within the other one. */
+static void a_rod_is_finite_by_two_intersections(void **state)
+{
+    static const pov_half_space top = { { 0.0, 1.0, 0.0 }, 1.0 }, bottom = { { 0.0, -1.0, 0.0 }, 1.0 };
+    const shape_class face = face_class();
+    shape_class rod = face_class();
+    node_ref leaves[3];
+    pov_box box;
+    scene s;
+
+    (void)state;
+    rod.keyword = "rod";
+    rod.half_space = NULL;
+    rod.hull = rod_hull;
+    begin(&s);
+    leaves[0] = test_add(&s.model, &rod, &top, NULL, 0, 0);
+    leaves[1] = test_add(&s.model, &face, &top, NULL, 0, 0);
+    leaves[2] = test_add(&s.model, &face, &bottom, NULL, 0, 0);
+    leaves[1] = pair(&s.model, NODE_INTERSECTION, leaves[0], leaves[1]);
+    assert_true(model_add_tree(&s.model, pair(&s.model, NODE_CLIP, leaves[1], leaves[2])));
+    compile(&s, POV_ACCEL_TREE);
+    assert_true(world_bounds(s.world, &box));
+    assert_true(pov_largest(box.lo) < 1.001 && pov_largest(box.hi) < 1.001);
+    end(&s);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -896,6 +976,8 @@ int main(void)
         cmocka_unit_test(leaves_are_plain_and_trees_are_not),
         cmocka_unit_test(its_leaves_are_one_object),
         cmocka_unit_test(of_many_faces_few_are_asked),
+        cmocka_unit_test(members_of_parts_elsewhere_are_not_asked),
+        cmocka_unit_test(a_rod_is_finite_by_two_intersections),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
