@@ -6,7 +6,7 @@
 
 term builder_refuse(builder *b)
 {
-    static const term none = { VALUE_NUMBER, false, 1, { 0 } };
+    static const term none = { VALUE_NUMBER, false, false, 1, { 0 } };
 
     b->is_refused = true;
     return none;
@@ -68,7 +68,7 @@ uint16_t builder_emit(builder *b, calc_op op, uint16_t a, uint16_t second, uint1
 
 term builder_number_in(uint16_t reg)
 {
-    term t = { VALUE_NUMBER, false, 1, { 0 } };
+    term t = { VALUE_NUMBER, false, false, 1, { 0 } };
 
     t.reg[0] = reg;
     return t;
@@ -76,7 +76,7 @@ term builder_number_in(uint16_t reg)
 
 term builder_vector_in(uint16_t first, int size, bool is_colour, int kept)
 {
-    term t = { VALUE_VECTOR, is_colour, size, { 0 } };
+    term t = { VALUE_VECTOR, is_colour, false, size, { 0 } };
     int i;
 
     for (i = 0; i < kept; i++)
@@ -149,8 +149,10 @@ uint16_t builder_vector(builder *b)
 
     if (t.size > 3)
         builder_refuse(b);
-    for (i = 0; i < 3; i++)
-        builder_emit_to(b, CALC_COPY, (uint16_t)(to + i),
-                        t.kind == VALUE_NUMBER ? t.reg[0] : i < t.size ? t.reg[i] : 0, 0, 0);
+    for (i = 0; i < 3; i++) {
+        const uint16_t part = i < t.size || t.is_part ? t.reg[i] : 0;
+
+        builder_emit_to(b, CALC_COPY, (uint16_t)(to + i), t.kind == VALUE_NUMBER && !t.is_part ? t.reg[0] : part, 0, 0);
+    }
     return to;
 }

@@ -12,7 +12,7 @@ enum {
 
 typedef struct term {
     value_kind kind;
-    bool is_colour;
+    bool is_colour, is_part;
     int size;
     uint16_t reg[CALC_COMPONENTS];   /* of a value's five numbers, as expressions read from tokens would leave them */
 } term;

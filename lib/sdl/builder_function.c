@@ -2,7 +2,7 @@
 
 static term constant_term(builder *b, const intrinsic *row)
 {
-    term t = { row->size > 1 ? VALUE_VECTOR : VALUE_NUMBER, false, row->size, { 0 } };
+    term t = { row->size > 1 ? VALUE_VECTOR : VALUE_NUMBER, false, false, row->size, { 0 } };
     int i;
 
     for (i = 0; i < row->size; i++)

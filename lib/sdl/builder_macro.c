@@ -16,6 +16,7 @@ static void add_local(builder *b, const symbol *name, term t)
 {
     local l = { name, t };
 
+    l.term.is_part = false;
     if (t.kind == VALUE_NUMBER)
         memset(&l.term.reg[1], 0, sizeof l.term.reg - sizeof l.term.reg[0]);
     if (b->locals == BUILDER_LOCALS)

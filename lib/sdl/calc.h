@@ -52,7 +52,7 @@ typedef struct calc {
     replay head;
     size_t end;                  /* the token behind the expression */
     value_kind kind;             /* of the result */
-    bool is_colour, is_random;
+    bool is_colour, is_part, is_random;
     int size;
     uint16_t result[CALC_COMPONENTS];
     uint16_t names, constants, steps, rows;

@@ -90,7 +90,7 @@ static term identifier(builder *b, symbol *name)
 
 static term literal(builder *b)
 {
-    term t = { VALUE_VECTOR, false, 0, { 0 } };
+    term t = { VALUE_VECTOR, false, false, 0, { 0 } };
 
     do {
         t.reg[t.size++] = builder_number(b);
@@ -127,6 +127,7 @@ static term primary(builder *b)
     case '(':
         inner = builder_full(b);
         builder_expect(b, ')');
+        inner.is_part = false;
         return inner;
     case TOKEN_WORD:
         return builder_word(b, t->symbol);
@@ -146,6 +147,7 @@ static term dots(builder *b, term t)
             return builder_refuse(b);
         b->s->at++;
         t.reg[0] = i == EXPRESSION_GRAY ? builder_emit(b, CALC_GRAY, t.reg[0], t.reg[1], t.reg[2]) : t.reg[i];
+        t.is_part = t.is_part || t.kind == VALUE_VECTOR;
         t.kind = VALUE_NUMBER;
         t.is_colour = false;
         t.size = 1;
@@ -195,7 +197,10 @@ static term combine(builder *b, calc_op op, term a, term second)
 
     t.kind = a.kind == VALUE_NUMBER && second.kind == VALUE_NUMBER ? VALUE_NUMBER : VALUE_VECTOR;
     t.size = size;
+    if (t.kind == VALUE_VECTOR && a.kind == VALUE_NUMBER)
+        memset(t.reg, 0, sizeof t.reg);
     t.is_colour = t.kind == VALUE_VECTOR && (a.is_colour || second.is_colour);
+    t.is_part = t.kind == VALUE_NUMBER && a.is_part;
     for (i = 0; i < size; i++)
         t.reg[i] = builder_emit(b, op, component(&a, i), component(&second, i), 0);
     return t;
@@ -308,6 +313,7 @@ static calc *conclude(builder *b, token_buffer *buffer, const term *t, replay_ki
     c->end = b->streams[0].at;
     c->kind = t->kind;
     c->is_colour = t->is_colour;
+    c->is_part = t->is_part;
     c->is_random = b->randoms > 0;
     c->size = t->size;
     memcpy(c->result, t->reg, sizeof c->result);

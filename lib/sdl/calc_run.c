@@ -250,6 +250,7 @@ value calc_value(const calc *c, const double r[CALC_REGISTERS])
 
     v.kind = c->kind;
     v.is_colour = c->is_colour;
+    v.is_part = c->is_part;
     v.size = c->size;
     for (i = 0; i < CALC_COMPONENTS; i++)
         v.as.v[i] = r[c->result[i]];

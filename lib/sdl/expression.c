@@ -46,6 +46,7 @@ static value parentheses(pov_reader *in)
     state_open(in, '(');
     v = expression_full(in);
     state_close(in, ')');
+    v.is_part = false;
     return v;
 }
 
@@ -226,8 +227,9 @@ static value dot(pov_reader *in, value v)
     } else {
         if (i == EXPRESSION_GRAY)
             fill_gray(&v);
-        /* The other components stay where they are: vstr() shows them, as POV-Ray's does. */
+        /* The other components stay where they are, as in POV-Ray: the first one, changed, in the place of a vector. */
         v.as.v[0] = expression_part(v.as.v, i);
+        v.is_part = v.is_part || v.kind == VALUE_VECTOR;
         v.kind = VALUE_NUMBER;
         v.is_colour = false;
         v.size = 1;
@@ -478,11 +480,13 @@ double expression_to_number(pov_reader *in, value v)
     return in->failed ? 0.0 : number;
 }
 
-/* A number fills all three, two have a 0 behind them; a colour is no vector. */
+/* A number fills all three, but a component stands in the first place before its vector's others; two have a 0 behind them; a
+ * colour is no vector. */
 bool expression_to_vector(pov_reader *in, value *v)
 {
     if (v->kind == VALUE_NUMBER) {
-        v->as.v[1] = v->as.v[2] = v->as.v[0];
+        if (!v->is_part)
+            v->as.v[1] = v->as.v[2] = v->as.v[0];
     } else if (v->kind == VALUE_VECTOR && v->size <= 3) {
         if (v->size == 2)
             v->as.v[2] = 0.0;

@@ -111,11 +111,7 @@ static void warn(pov_reader *in, const char *format, ...)
 
 static void vector_of(pov_reader *in, double *out, int n)
 {
-    int i;
-
-    if (value_components(in, n, n, out) == 1)
-        for (i = 1; i < n; i++)
-            out[i] = out[0];
+    value_components(in, n, n, out);
 }
 
 static void color(pov_reader *in, double rgbft[5])

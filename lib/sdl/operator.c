@@ -51,7 +51,7 @@ static double component(const value *v, int i)
 static void combine_vectors(int op, value *a, const value *b)
 {
     const int size = a->size > b->size ? a->size : b->size;
-    value r = *a;
+    value r = a->kind == VALUE_NUMBER ? value_of_number(0.0) : *a;
     int i;
 
     r.kind = VALUE_VECTOR;

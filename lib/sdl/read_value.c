@@ -167,6 +167,13 @@ pov_vec3 value_vector(pov_reader *in)
     return pov_vec3_of(finite(in, v.as.v[0]), finite(in, v.as.v[1]), finite(in, v.as.v[2]));
 }
 
+static double component_of(const value *v, int i)
+{
+    if (v->kind == VALUE_NUMBER)
+        return v->as.v[v->is_part ? i : 0];
+    return i < v->size ? v->as.v[i] : 0.0;
+}
+
 int value_components(pov_reader *in, int least, int most, double *out)
 {
     place at = in->token.at;
@@ -182,7 +189,7 @@ int value_components(pov_reader *in, int least, int most, double *out)
         report_fail(in, &at, POV_E_SYNTAX, "expected a vector of %d to %d components, found %s", least, most,
                     value_name(&v));
     for (i = 0; i < most; i++)
-        out[i] = in->failed ? 0.0 : v.kind == VALUE_NUMBER ? finite(in, v.as.v[0]) : i < v.size ? finite(in, v.as.v[i]) : 0.0;
+        out[i] = in->failed ? 0.0 : finite(in, component_of(&v, i));
     if (value_is_shared(&v))
         value_drop(&in->heap, &v);
     return v.kind == VALUE_VECTOR ? v.size : 1;

@@ -52,7 +52,7 @@ void value_free_all(value_heap *heap)
 
 value value_of_vector(pov_vec3 vector)
 {
-    value v = { VALUE_VECTOR, false, 3, { { vector.x, vector.y, vector.z, 0.0, 0.0 } } };
+    value v = { VALUE_VECTOR, false, false, 3, { { vector.x, vector.y, vector.z, 0.0, 0.0 } } };
 
     return v;
 }

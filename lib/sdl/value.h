@@ -37,6 +37,7 @@ typedef struct shared {
 typedef struct value {
     value_kind kind;
     bool is_colour;              /* of a vector of 5 */
+    bool is_part;                /* of a number: the component of a vector, whose others stand behind it */
     int size;                    /* components of a vector */
     union {
         double v[5];             /* a number is v[0] */
@@ -97,7 +98,7 @@ static inline void value_drop(value_heap *heap, value *v)
 
 static inline value value_of_number(double number)
 {
-    value v = { VALUE_NUMBER, false, 1, { { number, 0.0, 0.0, 0.0, 0.0 } } };
+    value v = { VALUE_NUMBER, false, false, 1, { { number, 0.0, 0.0, 0.0, 0.0 } } };
 
     return v;
 }
@@ -124,7 +125,8 @@ double value_number(pov_reader *in);
 float value_float(pov_reader *in);
 /* A number that may be left out, as behind `hollow`: `otherwise` then. */
 double value_optional(pov_reader *in, double otherwise);
-/* A number stands for all components, two numbers have a 0 behind them, as in POV-Ray (for flat polygons). */
+/* A number stands for all components, a component of a vector for the first, two numbers have a 0 behind them, as in POV-Ray (for
+ * flat polygons). */
 pov_vec3 value_vector(pov_reader *in);
 /* A vector of `least` to `most` components; returns how many there are, behind them are zeros. A number fills all
  * and returns 1. */

@@ -41,6 +41,8 @@ static void a_shape_takes_in_its_transformations(void **state)
     assert_width("sphere { <1,2,3>, 1 rotate <30,40,50> }", 2.0);
     assert_width("sphere { <1,2,3>, 1 rotate <30,40,50> scale <3,2,1> }", 6.0);
     assert_width("torus { 1, .5 rotate 45*y rotate -45*y }", 3.0);
+    assert_width("box { 0, <1, 2, 5>.y rotate 90*y }", 5.0);
+    assert_width("box { 0, 1 scale 2*<1, 2, 5>.y rotate 90*y }", 4.0);
     assert_width("ovus { .5, .25 }", 1.0);
 }
 
