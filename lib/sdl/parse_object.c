@@ -396,6 +396,17 @@ static void take_named(pov_reader *in, object_parsed *o)
         value_drop(&in->heap, &v);
 }
 
+/* An object has the defaults that hold at its last brace; what comes behind may change them before it is added. */
+static void close_object(pov_reader *in, block *b, object_parsed *o)
+{
+    items_until(in, '}', &modifiers, o);
+    if (!b->outer && in->placing) {
+        *in->placing = *in->defaults;
+        in->placing = NULL;
+    }
+    items_close(in, b, &modifiers, o);
+}
+
 static void read_leaf(pov_reader *in, symbol *word, object_parsed *o)
 {
     part_list parts;
@@ -408,7 +419,7 @@ static void read_leaf(pov_reader *in, symbol *word, object_parsed *o)
     items_open(in, &b);
     if (named_object(in) || element_follows(in)) {   /* any object's word may stand before the block of a name */
         take_named(in, o);
-        items_close(in, &b, &modifiers, o);
+        close_object(in, &b, o);
         return;
     }
     o->leaf.instance = state_alloc(in, parse_shape_size(word->shape), 32);
@@ -418,7 +429,7 @@ static void read_leaf(pov_reader *in, symbol *word, object_parsed *o)
     parse_parts_end(in, &parts, o);
     if (!in->failed)
         parse_share_shape(in, word, &o->leaf);
-    items_close(in, &b, &modifiers, o);
+    close_object(in, &b, o);
 }
 
 /* ---- other objects ---- */
@@ -445,14 +456,14 @@ static void read_group(pov_reader *in, node_op op, object_parsed *o)
     items_open(in, &b);
     if (named_object(in)) {      /* a name that stands first is the whole */
         take_named(in, o);
-        items_close(in, &b, &modifiers, o);
+        close_object(in, &b, o);
         return;
     }
     read_members(in, o);
     if (!in->failed && !(o->first && o->first->next))
         report_warn(in, &at, o->first ? "there is only one object in this %s" : "there is nothing in this %s",
                     model_op_keyword(op));
-    items_close(in, &b, &modifiers, o);
+    close_object(in, &b, o);
 }
 
 static void read_light_group(pov_reader *in, object_parsed *o)
@@ -486,7 +497,7 @@ static void read_wrapped(pov_reader *in, object_parsed *o)
     } else {
         report_expected(in, "an object");
     }
-    items_close(in, &b, &modifiers, o);
+    close_object(in, &b, o);
 }
 
 /* A word of a plugin that no object of the scene has had yet. */
@@ -572,13 +583,14 @@ bool parse_object_try(pov_reader *in, object_parsed *o)
 
 void parse_object(pov_reader *in)
 {
-    const surface_parsed defaults = *in->defaults;
+    surface_parsed defaults = *in->defaults;
     object_parsed o;
 
     in->object = in->token.at;
-    in->placed = &defaults;      /* what comes behind the object may change them before it is added */
+    in->placed = in->placing = &defaults;
     if (parse_object_try(in, &o))
         parse_add_object(in, &o);
     else if (!in->failed)
         refuse(in, in->token.symbol);
+    in->placing = NULL;
 }

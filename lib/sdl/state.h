@@ -140,6 +140,7 @@ struct pov_reader {
     settings_parsed settings;
     struct surface_parsed *defaults;   /* of #default */
     const struct surface_parsed *placed;   /* those of the statement that is being read */
+    struct surface_parsed *placing;        /* where these go when its block ends; NULL: they are there */
     const struct surface_parsed *shared_surface;   /* of the object that was kept last */
     random_list randoms;
     argument_list arguments;     /* of calls that are being read */

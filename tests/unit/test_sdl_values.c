@@ -196,6 +196,30 @@ static void the_default_texture_is_that_of_the_statement(void **state)
     reading_end(&r);
 }
 
+#define DEFAULT(colour) "#default { pigment { rgb " colour " } }"
+
+static void the_default_texture_is_that_at_the_last_brace(void **state)
+{
+    const char *texts[] = {   /* each with red in the end */
+        "sphere { 0, 1 " DEFAULT("x") " }" DEFAULT("y"),
+        "union { sphere { 0, 1 " DEFAULT("y") " } sphere { 0, 2 } " DEFAULT("x") " }" DEFAULT("y"),
+        "object { sphere { 0, 1 } scale 2 " DEFAULT("x") " translate x }" DEFAULT("y"),
+        "#declare S = sphere { 0, 1 " DEFAULT("y") " } object { S " DEFAULT("x") " } #declare T = sphere { 0, 1 " DEFAULT("y") " }",
+        "union { object { sphere { 0, 1 } } " DEFAULT("x") " } #declare T = union { sphere { 0, 1 } " DEFAULT("y") " }",
+    };
+    reading r;
+
+    (void)state;
+    for (size_t i = 0; i < sizeof texts / sizeof *texts; i++) {
+        reading_begin(&r, texts[i]);
+        assert_int_equal(r.status, POV_OK);
+        const material *m = &r.model.materials.items[r.model.leaves.items[0].material];
+
+        assert_true(m->pigment.r == 1.0f && m->pigment.g == 0.0f);
+        reading_end(&r);
+    }
+}
+
 static void a_background_is_darkened_by_what_it_transmits(void **state)
 {
     reading r;
@@ -219,6 +243,7 @@ int main(void)
         cmocka_unit_test(the_word_color_alone_is_black_with_a_warning),
         cmocka_unit_test(a_hash_before_words_of_the_scene_is_left_out),
         cmocka_unit_test(the_default_texture_is_that_of_the_statement),
+        cmocka_unit_test(the_default_texture_is_that_at_the_last_brace),
         cmocka_unit_test(a_background_is_darkened_by_what_it_transmits),
     };
 
