@@ -34,17 +34,22 @@ static void read_look_at(pov_reader *in, void *self, keyword_id keyword)
     c->has_look_at = true;
 }
 
+/* Of a spherical camera there may be two, of an orthographic one none: it sees what a perspective one would. */
 static void read_angle(pov_reader *in, void *self, keyword_id keyword)
 {
-    double angle = value_number(in);
+    camera_parsed *c = self;
 
     (void)keyword;
-    ((camera_parsed *)self)->angle_place = in->value;
-    ((camera_parsed *)self)->angle = angle;
-    ((camera_parsed *)self)->has_angle = true;
+    if (c->type == POV_CAMERA_ORTHOGRAPHIC && !value_follows(in)) {
+        c->is_sized_by_distance = true;
+        return;
+    }
+    c->angle = value_number(in);
+    c->angle_place = in->value;
+    c->has_angle = true;
     state_accept(in, ',');
     if (value_follows(in))
-        ((camera_parsed *)self)->angle_upwards = value_number(in);   /* of a spherical camera */
+        c->angle_upwards = value_number(in);
 }
 
 static void read_axis(pov_reader *in, void *self, keyword_id keyword)
@@ -151,7 +156,7 @@ static void read_blur_samples(pov_reader *in, void *self, keyword_id keyword)
 {
     (void)keyword;
     ((camera_parsed *)self)->blur_samples = value_number(in);
-    if (state_accept(in, ','))
+    if (state_accept(in, ',') || value_follows(in))
         ((camera_parsed *)self)->blur_samples = value_number(in);
 }
 
@@ -263,8 +268,9 @@ static camera_frame povray_frame(const camera_parsed *c)
     return f;
 }
 
-/* Parallel rays see a part of the scene as large as right and up; unless these were written, as large as the picture of a
- * perspective camera is where this one looks. Before version 3.5 neither distance nor angle counted. */
+/* Parallel rays see a part of the scene as large as right and up; unless these were written, and with an `angle` that has no
+ * number, as large as the picture of a perspective camera is where this one looks. Before version 3.5 neither distance nor
+ * angle counted. */
 static void size_orthographic(const camera_parsed *c, camera_frame *f)
 {
     const double half_degree = 3.14159265358979323846 / 360.0;
@@ -276,7 +282,7 @@ static void size_orthographic(const camera_parsed *c, camera_frame *f)
         return;
     if (c->angle > 0.0)
         size = 2.0 * distance * tan(c->angle * half_degree) / length(f->r);
-    else if (!c->has_size)
+    else if (!c->has_size || c->is_sized_by_distance)
         size = distance / length(f->d);
     f->r = pov_scale(f->r, size);
     f->u = pov_scale(f->u, size);

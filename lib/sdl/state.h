@@ -23,7 +23,7 @@ typedef struct camera_parsed {
     place look_at_place;
     pov_vec3 location, look_at, direction, right, up, sky;
     double angle;                /* degrees; 0: none */
-    bool has_look_at, has_angle;
+    bool has_look_at, has_angle, is_sized_by_distance;
     double angle_upwards, aperture, blur_samples;
     pov_vec3 focal_point;
     bool has_focal_point;

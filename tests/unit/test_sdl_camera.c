@@ -198,7 +198,18 @@ static void an_orthographic_camera_sees_as_much_as_the_language_says(void **stat
     assert_size("camera { orthographic location <3, 4, 0> look_at 0 angle 40 right 2*x up 3*y }", a, a * 1.5);
     assert_size("camera { orthographic location <3, 4, 0> look_at 0 right x*8 up y*6 scale 2 }", 16, 12);
     assert_size("#version 3.1; camera { orthographic location <3, 4, 0> look_at 0 angle 40 }", 1.33, 1);
+    assert_size("camera { orthographic angle right 8*x up 6*y location <3, 4, 0> look_at 0 }", 40, 30);
+    assert_size("camera { orthographic location <3, 4, 0> right 8*x angle direction 2*z look_at 0 }", 20, 2.5);
+    assert_size("camera { orthographic angle location <3, 4, 0> look_at 0 angle 40 }", a, a / 1.33);
     assert_int_equal(read_camera("camera { orthographic perspective }", POV_DIALECT_POVRAY).type, POV_CAMERA_PERSPECTIVE);
+}
+
+static void of_two_numbers_of_blur_samples_the_last_counts(void **state)
+{
+    (void)state;
+    assert_int_equal(read_camera("camera { aperture .4 blur_samples 7 }", POV_DIALECT_POVRAY).lens_samples, 7);
+    assert_int_equal(read_camera("camera { aperture .4 blur_samples 3, 9 }", POV_DIALECT_POVRAY).lens_samples, 9);
+    assert_int_equal(read_camera("camera { aperture .4 blur_samples 3 9 variance 0 }", POV_DIALECT_POVRAY).lens_samples, 9);
 }
 
 int main(void)
@@ -216,6 +227,7 @@ int main(void)
         cmocka_unit_test(transformations_come_last_wherever_they_stand),
         cmocka_unit_test(far_and_small_views_keep_their_direction),
         cmocka_unit_test(an_orthographic_camera_sees_as_much_as_the_language_says),
+        cmocka_unit_test(of_two_numbers_of_blur_samples_the_last_counts),
         cmocka_unit_test(the_last_camera_wins_with_a_warning),
     };
 
