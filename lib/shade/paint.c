@@ -500,10 +500,13 @@ uint32_t paint_hit(const shading *scene, const pov_ray *ray, const hit *h, textu
 double paint_focus(const shading *scene, const pov_ray *ray, const hit *h, double power)
 {
     const texture *of = texture_of(scene, shading_constant(scene, h->object)->material, ray, h);
+    pov_vec3 normal = facing(ray, h);
     group g;
 
+    if (shading_info(scene, h->object)->smooth)
+        world_shading_normal(scene->world, ray, h, &normal);
     if (!of)
-        return texture_focus_of(h->normal, pov_unit(ray->dir), power);
-    begin_single(&g, scene, of, h, facing(ray, h), pov_unit(ray->dir));
+        return texture_focus_of(normal, pov_unit(ray->dir), power);
+    begin_single(&g, scene, of, h, normal, pov_unit(ray->dir));
     return texture_focus(scene->model, of, &g.points, power);
 }

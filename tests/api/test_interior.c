@@ -84,6 +84,16 @@ static void every_layer_focuses_light_by_its_own_normal(void **state)
     assert_seen(PANE("texture { average texture_map { [1 " STEEP "] [1 pigment { rgbt <1, 1, 1, 0.4> }] } }"), 0.45965, 0.45965, 0.45965);
 }
 
+static void a_smooth_surface_focuses_light_by_its_shading_normal(void **state)
+{
+#define TILTED WALL("-30") "#declare N = <sqrt(3), 0, -1>; smooth_triangle { <-9,-9,0>, N, <9,-9,0>, N, <0,9,0>, N no_image "
+#define WIDELY " interior { caustics 1/45 } }"
+    (void)state;
+    assert_seen(WALL("-30") "triangle { <-9,-9,0>, <9,-9,0>, <0,9,0> no_image pigment { rgbt <1, 1, 1, 0.25> }" WIDELY, 0.5, 0.5, 0.5);
+    assert_seen(TILTED "pigment { rgbt <1, 1, 1, 0.25> }" WIDELY, 0.375, 0.375, 0.375);
+    assert_seen(TILTED "pigment { checker rgbt <1, 1, 1, 0.25> rgbt <1, 1, 1, 0.25> }" WIDELY, 0.375, 0.375, 0.375);
+}
+
 /* What a ray crosses for the first time it enters, whichever way the surface faces. */
 static void light_fades_between_two_surfaces_of_one_interior(void **state)
 {
@@ -223,6 +233,7 @@ int main(void)
         cmocka_unit_test(colour_and_power_shape_the_fading),
         cmocka_unit_test(light_on_its_way_fades_and_is_focused),
         cmocka_unit_test(every_layer_focuses_light_by_its_own_normal),
+        cmocka_unit_test(a_smooth_surface_focuses_light_by_its_shading_normal),
         cmocka_unit_test(light_fades_between_two_surfaces_of_one_interior),
         cmocka_unit_test(members_with_interiors_of_their_own_are_solids_of_their_own),
         cmocka_unit_test(hidden_objects_are_passed),
