@@ -21,8 +21,7 @@ typedef struct slabs {
     double o[3], o_lo[3], d[3], d_lo[3];   /* the direction's largest component is in [1, 2) */
     double unit;           /* a local distance times unit is a distance along the ray */
     double t[6];           /* within 6 u of the exact quotients: a difference that low parts change much is exact */
-    double slack;          /* bound of the errors of two of them; infinite for always_exact */
-    bool escalated;
+    bool always_exact, escalated;
 } slabs;
 
 static void set_plane(pov_two plane[6], int axis, double a, double b)
@@ -76,7 +75,7 @@ static void begin(slabs *s, const box *shape, const pov_ray *ray, bool always_ex
     s->d[0] = d.x, s->d[1] = d.y, s->d[2] = d.z;
     s->d_lo[0] = d_lo.x, s->d_lo[1] = d_lo.y, s->d_lo[2] = d_lo.z;
     s->unit = power;
-    s->slack = always_exact ? HUGE_VAL : 8.0 * COMMON_U;
+    s->always_exact = always_exact;
     s->escalated = false;
     for (i = 0; i < 6; i++) {
         const pov_two plane = shape->plane[i];
@@ -124,19 +123,29 @@ static int compare_products(const slabs *s, int p, int q)
     return common_expansion_sign(&e);
 }
 
+/* The same of two planes of an axis, which are one where a box is planar. */
+static int compare_planes(const slabs *s, int p, int q)
+{
+    const pov_two a = s->shape->plane[p], b = s->shape->plane[q];
+    const int sign = a.hi != b.hi ? (a.hi > b.hi ? 1 : -1) : (a.lo > b.lo) - (a.lo < b.lo);
+
+    return s->d[p / 2] < 0.0 ? -sign : sign;
+}
+
 /* Negative, zero or positive if the ray crosses plane p before, with or after plane q. Neither is parallel to it. */
 static int compare(slabs *s, int p, int q)
 {
-    const double difference = s->t[p] - s->t[q], slack = s->slack * (fabs(s->t[p]) + fabs(s->t[q]));
+    const double difference = s->t[p] - s->t[q], slack = 8.0 * COMMON_U * (fabs(s->t[p]) + fabs(s->t[q]));
     int sign;
 
+    s->escalated = s->escalated || s->always_exact;
     /* A finite and an infinite distance need no slack. */
     if (difference > slack || difference == HUGE_VAL)
         return 1;
     if (difference < -slack || difference == -HUGE_VAL)
         return -1;
     s->escalated = true;
-    sign = compare_products(s, p, q);
+    sign = p / 2 == q / 2 ? compare_planes(s, p, q) : compare_products(s, p, q);
     return (s->d[p / 2] < 0.0) != (s->d[q / 2] < 0.0) ? -sign : sign;
 }
 
