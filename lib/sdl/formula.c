@@ -225,6 +225,20 @@ static uint32_t call_part(compiler *c, const function *f)
     return emit_host(c, mark, first, host, part < 0 ? 0 : (uint32_t)part);
 }
 
+/* A function that does nothing but pass its arguments on to one that is built in, as those of functions.inc: what it calls. */
+static const instruction *passed_on(const program *p)
+{
+    const instruction *i = p->code;
+
+    return p->count == 1 && i->a == 0 && i->to == p->result && (i->op == PROGRAM_INTERNAL || i->op == PROGRAM_HOST) ? i : NULL;
+}
+
+/* Called itself, with the same arguments. */
+static uint32_t call_passed_on(compiler *c, const program *by, const instruction *i, uint32_t mark, uint32_t first)
+{
+    return i->op == PROGRAM_INTERNAL ? combine(c, PROGRAM_INTERNAL, mark, first, i->b) : emit_host(c, mark, first, by->hosts[i->b], i->c);
+}
+
 static uint32_t call_declared(compiler *c, const function *f)
 {
     const uint32_t mark = c->next;
@@ -234,6 +248,8 @@ static uint32_t call_declared(compiler *c, const function *f)
     if (f->kind != FUNCTION_FORMULA)
         return call_part(c, f);
     read_arguments(c, n, n, &first);
+    if (passed_on(callee))
+        return call_passed_on(c, callee, passed_on(callee), mark, first);
     if (callee->capacity > c->capacity)
         c->capacity = callee->capacity;
     if (!c->in->failed && !VEC_PUSH(c->in->model->env, &c->callees, callee))
