@@ -408,8 +408,8 @@ static void test_cuts(csg_traversal *w)
     }
 }
 
-/* Infinite members; those of parts that the ray misses, or comes to beyond its end, stay outside. */
-static void test_endless(csg_traversal *w, double end)
+/* Infinite members, those that are open or others; those of parts that the ray misses, or comes to beyond its end, stay outside. */
+static void test_endless(csg_traversal *w, bool open, double end)
 {
     const csg_tree *t = w->tree;
 
@@ -417,7 +417,7 @@ static void test_endless(csg_traversal *w, double end)
         const csg_endless *of = &t->endless[i];
         double enter, leave = end;
 
-        if (!of->boxed || hits_box(w, &of->box, &enter, &leave))
+        if (t->members[of->member].open == open && (!of->boxed || hits_box(w, &of->box, &enter, &leave)))
             test_member(w, of->member, NULL);
     }
 }
@@ -463,7 +463,10 @@ void csg_traversal_begin(csg_traversal *w, const pov_hits *hits, bool exact)
     w->applied = w->asked_count = w->near_count = 0;
     w->unsure = w->missed = false;
     memcpy(s->states, t->outside, t->node_count * sizeof *s->states);
-    test_endless(w, fmin(w->leave, hits->tmax + hits->slack));
+    /* Others may miss the tree, and need not ask whether points are inside. */
+    test_endless(w, false, fmin(w->leave, hits->tmax + hits->slack));
+    if (t->open_count > 0)
+        test_endless(w, true, fmin(w->leave, hits->tmax + hits->slack));
     if (w->missed)
         return;
     test_cuts(w);

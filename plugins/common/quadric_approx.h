@@ -73,6 +73,12 @@ static inline pov_vec3 sizes(pov_vec3 a, double slack)
 
 typedef struct along { double a, b, c, a_error, b_error, c_error; } along;
 
+/* Error of along_value() at a point whose largest component is that. */
+COMMON_INLINE double value_error(const common_quadric *s, double far)
+{
+    return 12.0 * COMMON_U * ((s->sum2 * far + s->sum1) * far + s->size[J]);
+}
+
 /* The coefficients at the ray's origin. The sizes of the terms are bounded by the largest component of the origin and
  * by the direction's, which is below 2. */
 COMMON_INLINE along measure_at_origin(const common_quadric *s, const common_ray *k)
@@ -86,7 +92,7 @@ COMMON_INLINE along measure_at_origin(const common_quadric *s, const common_ray 
     r.c = along_value(s->approx, f);
     r.a_error = 40.0 * COMMON_U * s->sum2;
     r.b_error = 22.0 * COMMON_U * (s->sum2 * far + 0.5 * s->sum1);
-    r.c_error = 12.0 * COMMON_U * ((s->sum2 * far + s->sum1) * far + s->size[J]);
+    r.c_error = value_error(s, far);
     return r;
 }
 

@@ -305,7 +305,10 @@ bool common_quadric_inside(const void *self, pov_vec3 point, pov_vec3 point_lo)
 {
     const quadric *s = self;
     const pov_two3 p = common_offset(point, point_lo, s->anchor, s->scale), n = { s->q[G], s->q[H], s->q[I] };
+    const double about = along_value(s->approx, pov_two3_hi(p));
 
+    if (fabs(about) > value_error(s, pov_largest(pov_two3_hi(p))))
+        return about < 0.0;
     /* Bit for bit what the other terms, all zero, would leave of it. */
     if (s->planar)
         return pov_two_add(pov_two3_dot(p, n), s->q[J]).hi <= 0.0;
