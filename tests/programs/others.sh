@@ -1,5 +1,7 @@
 #!/bin/sh
-# Scenes as Jmol, Open Babel, Inkscape, DRAWxtl, Voro++ and polymake write them, each where it is installed. Usage: others.sh FOLDER
+# Scenes as Jmol, Open Babel, Inkscape, DRAWxtl, Voro++, polymake, Blender and FreeCAD write them, each where it is installed.
+# Usage: others.sh FOLDER
+here=$(cd "$(dirname "$0")" && pwd)
 cd "$1" || exit 1
 have() {
     command -v "$1" > /dev/null || { echo "programs: $1 is not installed: its scenes are left out" >&2; return 1; }
@@ -23,6 +25,8 @@ if have obabel; then
     obabel molecule.xyz -O openbabel_sticks.pov > /dev/null
     obabel molecule.xyz -O openbabel_bas.pov -xm BAS > /dev/null
     obabel molecule.xyz -O openbabel_spacefill.pov -xm SPF > /dev/null
+    obabel molecule.xyz -O openbabel_capped.pov -xm CST > /dev/null
+    obabel molecule.xyz -O openbabel_clear.pov -xt -xc -xf -xs > /dev/null
 fi
 if have jmol && have xvfb-run; then
     for view in 'spacefill 25%; wireframe 0.15' 'spacefill; wireframe off' 'isosurface sasurface translucent'; do
@@ -84,5 +88,11 @@ if have polymake; then
     scene=$(sed -n 's/^#include "\(.*polymake-scene.pov\)"/\1/p' polymake_solid.pov)
     cp "$scene" polymake-scene.inc
     sed -i 's/^#include ".*polymake-scene.pov"/#include "polymake-scene.inc"/' polymake_solid.pov
+fi
+if have blender; then
+    timeout 300 blender -b --python-exit-code 1 --python "$here/with_blender.py" -- "$PWD" > /dev/null
+fi
+if have freecadcmd; then
+    SCENES=$PWD timeout 120 freecadcmd "$here/with_freecad.py" < /dev/null > /dev/null
 fi
 rm -f molecule.xyz script.spt drawing.svg cells cells.vol solid.pl

@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
 """Scenes as programs write them today, drawn by povc and by POV-Ray.
 
-The programs are installed where they can be: ASE, PyMOL, VTK and vapory from PyPI into a folder of their own; Jmol, Open
-Babel, Inkscape, DRAWxtl, Voro++ and polymake are used where the system has them (Debian: jmol xvfb openbabel inkscape
-drawxtl voro++ polymake). Then the calls by which
-ASE, vapory and PyMOL render are made with povc under the name `povray`, and tests/corpus/corpus.py compares the scenes.
+The programs are installed where they can be: ASE, PyMOL, VTK, vapory and fdray from PyPI into a folder of their own; Jmol,
+Open Babel, Inkscape, DRAWxtl, Voro++, polymake, Blender and FreeCAD are used where the system has them (Debian: jmol xvfb
+openbabel inkscape drawxtl voro++ polymake blender freecad-python3). Then the calls by which ASE, vapory, fdray and PyMOL
+render are made with povc under the name `povray`, and tests/corpus/corpus.py compares the scenes.
 """
 import argparse
 import os
@@ -14,8 +14,9 @@ import venv
 from pathlib import Path
 
 HERE = Path(__file__).parent
-PACKAGES = {'ase': ['ase', 'scikit-image'], 'vapory': ['vapory'], 'pymol': ['pymol-open-source'], 'vtk': ['vtk']}
-RENDERING = ('ase', 'vapory', 'pymol')
+PACKAGES = {'ase': ['ase', 'scikit-image'], 'vapory': ['vapory'], 'pymol': ['pymol-open-source'], 'vtk': ['vtk'],
+            'fdray': ['fdray']}
+RENDERING = ('ase', 'vapory', 'pymol', 'fdray')
 
 
 def python_with_packages(folder):
