@@ -14,6 +14,7 @@ void camera_normal_apply(const model *m, const double *x, const double *y, uint3
     vec_lanes bent;
 
     points.parts = NULL;
+    points.has_world = false;
     points.has_surface = points.in_world = true;
     for (uint32_t i = 0; i < n; i++) {
         texture_point(NULL, pov_vec3_of(x[i], y[i], 0.0), zero, i, &points);

@@ -65,7 +65,7 @@ static void begin(group *g, const texture *of)
     g->texture = of;
     g->count = 0;
     g->points.parts = g->parts;
-    g->points.has_surface = g->points.in_world = false;
+    g->points.has_surface = g->points.has_world = g->points.in_world = false;
 }
 
 static void add_point(group *g, const shading *scene, const hit *h)
@@ -77,6 +77,9 @@ static void add_point(group *g, const shading *scene, const hit *h)
         find_part(scene, h, &g->parts[g->count]);
     texture_point(map, h->point, h->point_lo, g->count, &g->points);
     g->points.linear[g->count] = map ? map->linear : NULL;
+    g->points.has_world = scene->worlds;
+    if (scene->worlds)
+        lanes_put(&g->points.world, g->count, h->point);
 }
 
 static void add_uv(group *g, const shading *scene, const hit *h)
@@ -130,6 +133,9 @@ static void add_all(group *g, const shading *scene, const surfaces *s)
     copy_lanes(&s->geometry.to.point, s->count, &g->points.at);
     copy_lanes(&s->geometry.to.point_lo, s->count, &g->points.at_lo);
     copy_lanes(s->geometry.raw, s->count, &g->points.normal);
+    g->points.has_world = scene->worlds;
+    if (scene->worlds)
+        copy_lanes(&s->geometry.to.point, s->count, &g->points.world);
     g->points.has_surface = g->points.in_world = true;
     for (; g->count < s->count && (scene->uvs || scene->views); g->count++) {
         if (scene->uvs)

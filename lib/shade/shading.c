@@ -76,6 +76,7 @@ static void note_texture(shading *s, const texture *of)
     s->most_terms = larger(s->most_terms, texture_most_terms(of));
     s->views |= texture_is_of_view(of);
     s->uvs |= texture_has_uv(of);
+    s->worlds |= texture_is_of_world(of);
 }
 
 static bool list_finishes(shading *s, finish_list *list)

@@ -23,7 +23,7 @@ typedef struct shading {
     uint32_t most_terms;         /* of a texture at a point */
     bool angular;                /* some finish reflects or transmits by the angle of the ray */
     bool even;                   /* all materials are: see appearance.h */
-    bool views, uvs;             /* some texture asks where it is seen from; for the surface's uv coordinates */
+    bool views, uvs, worlds;     /* some texture asks where it is seen from; for the surface's uv coordinates; for points in the world */
     struct stack **stacks;
     bool flat_stacks;            /* of these and of those at points there may be flat ones */
     size_t stack_count, stack_capacity;

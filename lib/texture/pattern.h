@@ -57,6 +57,7 @@ enum {
     PATTERN_BRACED = 16,         /* words and arguments may stand in braces behind the pattern's word */
     PATTERN_FILE = 32,           /* an image or a volume, whose text is read apart */
     PATTERN_NEEDS_VIEW = 128,    /* it depends on where it is seen from */
+    PATTERN_NEEDS_WORLD = 256,   /* or on where points are in the world */
     PATTERN_UNFOLDED = 64        /* without a frequency values stay as they are, whatever the phase */
 };
 

@@ -161,6 +161,9 @@ static void copy_surface(const texture_points *in, uint32_t n, texture_points *o
     out->has_surface = in->has_surface;
     if (!in->has_surface)
         return;
+    out->has_world = in->has_world;
+    if (in->has_world)
+        out->world = in->world;
     out->uv = in->uv;
     out->normal = in->normal;
     out->view = in->view;
@@ -188,6 +191,9 @@ void points_pick(const texture_points *in, const uint8_t *lane, uint32_t n, text
     out->has_surface = in->has_surface;
     if (!in->has_surface)
         return;
+    out->has_world = in->has_world;
+    if (in->has_world)
+        pick(&in->world, lane, n, &out->world);
     pick(&in->uv, lane, n, &out->uv);
     pick(&in->normal, lane, n, &out->normal);
     pick(&in->view, lane, n, &out->view);

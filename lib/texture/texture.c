@@ -80,16 +80,18 @@ static bool normal_asks(const normal_node *n, unsigned flag)
     return found;
 }
 
-bool texture_is_of_view(const texture *of)
+static bool texture_asks(const texture *of, unsigned flag)
 {
-    const unsigned flag = PATTERN_NEEDS_VIEW;
     bool found = asks(of->pattern, flag) || (of->blend == BLEND_NONE && (pigment_asks(of->pigment, flag) ||
                                                                          (of->normal && normal_asks(of->normal, flag))));
 
     for (uint32_t i = 0; !found && of->blend != BLEND_NONE && i < of->count; i++)
-        found = texture_is_of_view(of->textures[i]);
+        found = texture_asks(of->textures[i], flag);
     return found;
 }
+
+bool texture_is_of_view(const texture *of) { return texture_asks(of, PATTERN_NEEDS_VIEW); }
+bool texture_is_of_world(const texture *of) { return texture_asks(of, PATTERN_NEEDS_WORLD); }
 
 /* Does slope or aoi see a normal that may be bent? */
 static bool asks_normals(const texture *of, bool *perturbs)

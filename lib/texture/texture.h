@@ -20,6 +20,8 @@ typedef struct texture_points {
     bool in_world;               /* all of them are NULL, and are not set */
     const texture_part *parts;   /* by lane of the whole; for BLEND_PARTS only */
     bool has_surface;            /* uv, normals, views and linear parts are there */
+    bool has_world;              /* of those with a surface: so are the points in the world */
+    vec_lanes world;
 } texture_points;
 
 /* A part of what a lane's texture is. Its colour is a sum over stacks of layers: share times what the stack returns.
@@ -42,6 +44,8 @@ uint32_t texture_eval(const model *m, const texture *of, const texture_points *p
 uint32_t texture_most_terms(const texture *of);
 /* Does some pattern depend on where the surface is seen from? */
 bool texture_is_of_view(const texture *of);
+/* Does some pattern ask where in the world points are? */
+bool texture_is_of_world(const texture *of);
 /* Factors of light that crosses the surface. */
 void texture_filters(const model *m, const texture *of, const texture_points *points, uint32_t n, colour *out);
 /* The factor of light that the surface at the first point focuses (interior { caustics }): the product of those of all

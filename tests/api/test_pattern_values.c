@@ -11,14 +11,16 @@ enum { WIDTH = 4, HEIGHT = 8, ROWS = 4 };
 /* Rows from the top, at the heights 1.75, 1.25, 0.75, 0.25; the normal's angle alone is 0.75. */
 typedef struct slope { const char *pattern; double values[ROWS]; } slope;
 
-static void assert_slope(const slope *s)
+/* moved: along itself. */
+static void assert_slope(const slope *s, const char *moved)
 {
     char text[512];
     float *picture;
 
     snprintf(text, sizeof text, "#version 3.7; global_settings { assumed_gamma 1 }\n"
              "camera { orthographic location <0,0,-10> look_at 0 right 2*x up 4*y }\n"
-             "plane { <0,1,-1>, 0 pigment { slope { %s } color_map { [0 rgb 0] [1 rgb 1] } } finish { ambient 1 diffuse 0 } }\n", s->pattern);
+             "plane { <0,1,-1>, 0 pigment { slope { %s } color_map { [0 rgb 0] [1 rgb 1] } } finish { ambient 1 diffuse 0 } %s }\n",
+             s->pattern, moved);
     picture = scenes_draw(text, WIDTH, HEIGHT, 1, 1);
     for (int row = 0; row < ROWS; row++)
         if (fabs((double)picture[4 * row * WIDTH] - s->values[row]) > 1e-4)
@@ -42,7 +44,23 @@ static void the_lengths_of_both_vectors_are_their_weights(void **state)
     (void)state;
 
     for (size_t i = 0; i < sizeof slopes / sizeof slopes[0]; i++)
-        assert_slope(&slopes[i]);
+        assert_slope(&slopes[i], "");
+}
+
+static void the_place_of_a_slope_is_in_the_world(void **state)
+{
+    static const slope slopes[] = {
+        { "point_at <1,2,-3>", { 0.7457, 0.7744, 0.8048, 0.833 } },
+        { "point_at <0,3,0>, .2", { 0.593, 0.593, 0.8745, 0.1709 } },
+        { "point_at <0,3,0>, .2, .7", { 0.3628, 0.3628, 0.2502, 0.1316 } },
+        { "point_at 0", { 0.5, 0.5, 0.5, 0.5 } },
+    };
+    (void)state;
+
+    for (size_t i = 0; i < sizeof slopes / sizeof slopes[0]; i++) {
+        assert_slope(&slopes[i], "");
+        assert_slope(&slopes[i], "translate <3, 1, 1>");
+    }
 }
 
 typedef struct seen_value { const char *pattern; double value; } seen_value;
@@ -246,6 +264,7 @@ int main(void)
         cmocka_unit_test(caps_of_a_sor_go_on_from_their_rims),
         cmocka_unit_test(steps_of_fractals_may_begin_again),
         cmocka_unit_test(the_lengths_of_both_vectors_are_their_weights),
+        cmocka_unit_test(the_place_of_a_slope_is_in_the_world),
         cmocka_unit_test(light_through_slopes_is_filtered_by_its_own_ray),
         cmocka_unit_test(colours_that_are_left_out_are_those_of_the_pattern),
         cmocka_unit_test(a_side_belongs_to_the_tile_behind_it),

@@ -281,7 +281,8 @@ static void wrong_textures_are_refused(void **state)
 static void slopes_begin_again_before_their_waves_are_made(void **state)
 {
     const pov_vec3 zero = pov_vec3_of(0, 0, 0), up = pov_vec3_of(0, 1, 0);
-    static const struct { const char *slope; double value; } cases[] = { { "y, 0, .4", .125 }, { "-y, .7, .9", .125 }, { "y", .25 } };
+    static const struct { const char *slope; double value; } cases[] = { { "y, 0, .4", .125 }, { "-y, .7, .9", .125 }, { "y", .25 },
+                                                                          { "point_at <0, 9, 0>, 0, .4", .125 } };
     char text[256];
     (void)state;
 
@@ -299,6 +300,22 @@ static void slopes_begin_again_before_their_waves_are_made(void **state)
         lanes_put(&points.normal, 0, up);
         assert_int_equal(texture_eval(&r.model, material_of(&r, 0)->texture, &points, 1, t), 1);
         assert_term(t, true, 1.0, cases[i].value, cases[i].value, cases[i].value);
+        reading_end(&r);
+    }
+}
+
+static void a_slope_has_a_direction_or_a_place(void **state)
+{
+    static const char *texts[] = { "y point_at x", "point_at x altitude y" };
+    char text[256];
+    (void)state;
+
+    for (size_t i = 0; i < sizeof texts / sizeof texts[0]; i++) {
+        reading r;
+
+        snprintf(text, sizeof text, "#version 3.7; sphere { 0, 1 pigment { slope { %s } } }", texts[i]);
+        reading_begin(&r, text);
+        assert_non_null(strstr(r.error.message, "point_at takes the place"));
         reading_end(&r);
     }
 }
@@ -347,6 +364,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(slopes_see_the_normal_that_was_bent_last),
         cmocka_unit_test(slopes_begin_again_before_their_waves_are_made),
+        cmocka_unit_test(a_slope_has_a_direction_or_a_place),
         cmocka_unit_test(layers_follow_one_another_from_the_top),
         cmocka_unit_test(an_opaque_layer_hides_what_is_below),
         cmocka_unit_test(a_map_of_textures_gives_shares_of_two),
