@@ -115,14 +115,6 @@ static inline pigment colour_of_pixel(const image_map *map, int64_t column, int6
     return out;
 }
 
-/* Of its red in bytes, whatever the file's numbers are. */
-static double index_of_pixel(const image_map *map, int64_t column, int64_t row)
-{
-    const unsigned char *at = pixel(map->image, column, row);
-
-    return map->palette ? at[0] : floor(255.0f * sample(map, at, 0));
-}
-
 /* ---- between pixels ---- */
 
 enum { PARTS = 5, TAPS = 4 };    /* red, green, blue, filter, transmit */
@@ -150,9 +142,12 @@ static inline void get_grey(const image_map *map, int64_t column, int64_t row, d
     out[0] = image_grey_of(colour_of_pixel(map, column, row).color);
 }
 
+/* The number of a colour, or the red of what has none. */
 static inline void get_index(const image_map *map, int64_t column, int64_t row, double *out)
 {
-    out[0] = index_of_pixel(map, column, row);
+    const unsigned char *at = pixel(map->image, column, row);
+
+    out[0] = map->palette ? at[0] : sample(map, at, 0);
 }
 
 /* Within 0 to size - 1: a pixel that repeats, or the edge. */
@@ -289,11 +284,13 @@ double image_grey(const image_map *map, image_place at)
     return find(map, &greys, at).of[0];
 }
 
+/* Red in bytes, whatever the file's numbers are; it is interpolated first, as in POV-Ray. */
 double image_index(const image_map *map, image_place at)
 {
     static const kind indices = { 1, get_index };
+    const double found = find(map, &indices, at).of[0];
 
-    return find(map, &indices, at).of[0];
+    return map->palette ? found : floor(255.0f * (float)found);
 }
 
 static float largest_sample(const image_map *map)

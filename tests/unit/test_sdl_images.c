@@ -299,6 +299,29 @@ static void numbers_of_textures_are_decoded_too(void **state)
     }
 }
 
+/* 2.35 is between 1.9 and 2.8. */
+static void numbers_of_textures_are_interpolated_before_they_are_cut_down(void **state)
+{
+    static const char text[] =
+        "texture { material_map { function 2, 1 { select(x - .5, 1.9, 2.8) / 255 } interpolate 2\n"
+        "texture { pigment { rgb 0 } } texture { pigment { rgb .25 } } texture { pigment { rgb .5 } } texture { pigment { rgb 1 } } } }";
+    static const struct { double x; float shown; } cases[] = { { 0.25, 0.25f }, { 0.5, 0.5f }, { 0.75, 0.5f } };
+    bench b;
+
+    (void)state;
+    assert_int_equal(read_scene(&b, text), POV_OK);
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        static texture_points points;
+        texture_term term[4];
+
+        memset(&points, 0, sizeof points);
+        texture_point(NULL, pov_vec3_of(cases[i].x, 0.5, 0.0), pov_vec3_of(0.0, 0.0, 0.0), 0, &points);
+        assert_int_equal(texture_eval(&b.model, b.model.materials.items[b.model.leaves.items[0].material].texture, &points, 1, term), 1);
+        assert_true(term[0].pigment.color.r == cases[i].shown);
+    }
+    end(&b);
+}
+
 /* Patterns are asked for many pixels at once, formulas that call them for one. */
 static void a_pattern_makes_the_image_of_a_formula_that_calls_it(void **state)
 {
@@ -337,6 +360,7 @@ int main(void)
         cmocka_unit_test(values_of_images_do_not_depend_on_the_assumed_gamma),
         cmocka_unit_test(heights_are_decoded_by_the_gamma_that_is_given),
         cmocka_unit_test(numbers_of_textures_are_decoded_too),
+        cmocka_unit_test(numbers_of_textures_are_interpolated_before_they_are_cut_down),
         cmocka_unit_test(a_pattern_makes_the_image_of_a_formula_that_calls_it),
     };
 
