@@ -15,7 +15,7 @@ typedef struct crackle {
 } crackle;
 
 /* Points relative to the lowest corner of the cube in the middle. */
-enum { CUBES = 27, NEAREST = 3, BUFFER = 32 };
+enum { CUBES = 27, NEAREST = 3, BUFFER = 32, FEW = 3 };
 typedef struct neighbourhood { double x[CUBES], y[CUBES], z[CUBES]; } neighbourhood;
 
 /* Numbers of the three cubes along an axis. */
@@ -116,6 +116,20 @@ SIMD_INLINE void find_least(double metric, int last, const neighbourhood *near, 
             m->least[k][i] = HUGE_VAL;
     for (int c = 0; c < CUBES; c++)
         put_point(metric, last, near->x[c], near->y[c], near->z[c], n, m);
+}
+
+/* The same of one lane: the points stand side by side instead. */
+SIMD_INLINE void find_least_alone(const neighbourhood *near, uint32_t i, members *m)
+{
+    const pov_vec3 at = lanes_at(&m->at, i);
+    double square[CUBES], least[NEAREST] = { HUGE_VAL, HUGE_VAL, HUGE_VAL };
+
+    for (int c = 0; c < CUBES; c++)
+        square[c] = measure(2.0, near->x[c] - at.x, near->y[c] - at.y, near->z[c] - at.z);
+    for (int c = 0; c < CUBES; c++)
+        put_one(least, square[c]);
+    for (int k = 0; k < NEAREST; k++)
+        m->least[k][i] = least[k];
 }
 
 /* ---- other metrics ---- */
@@ -281,7 +295,10 @@ SIMD_INLINE void find_values(const pattern_input *in, bool usual, double metric,
 
         value[first] = 0.0;
         fill(in->noise, corner, &near);
-        if (usual)
+        if (usual && m.n <= FEW)
+            for (uint32_t i = 0; i < m.n; i++)
+                find_least_alone(&near, i, &m);
+        else if (usual)
             find_least(metric, last, &near, &m);
         else
             find_least_other(metric, spread, last, &near, &m);
