@@ -5,7 +5,17 @@
 
 #include <povtrace/exact.h>
 
-/* One coordinate: a row of the map times (x, y, z, 1), in double-double. */
+/* One coordinate: a row of the map times (x, y, z), in double-double. */
+static inline pov_two turned(const inverse_map *map, int row, pov_two3 p)
+{
+    const double *hi = map->linear->m[row], *lo = map->linear->m_lo[row];
+    const pov_two x = pov_two_mul(pov_two_of(hi[0], lo[0]), p.x), y = pov_two_mul(pov_two_of(hi[1], lo[1]), p.y);
+    const pov_two z = pov_two_mul(pov_two_of(hi[2], lo[2]), p.z);
+
+    return pov_two_add(pov_two_add(x, y), z);
+}
+
+/* The same times (x, y, z, 1). */
 static inline pov_two along(const inverse_map *map, int row, pov_two3 p)
 {
     const double *hi = map->linear->m[row], *lo = map->linear->m_lo[row];
@@ -116,6 +126,30 @@ SIMD_CLONES SIMD_NOINLINE static void map_points_exactly(const inverse_map *rest
     } while (++i < n);
 }
 
+/* Where nothing is moved; 0 is added as it would be, which makes of -0 a 0. */
+SIMD_CLONES SIMD_NOINLINE static void turn_points(const inverse_map *restrict map, const vec_lanes *restrict at,
+                                    const vec_lanes *restrict at_lo, uint32_t n, vec_lanes *restrict out)
+{
+    uint32_t i = 0;
+
+    do {
+        const pov_two3 p = pov_two3_of(lanes_at(at, i), lanes_at(at_lo, i));
+
+        out->x[i] = turned(map, 0, p).hi + 0.0;
+        out->y[i] = turned(map, 1, p).hi + 0.0;
+        out->z[i] = turned(map, 2, p).hi + 0.0;
+    } while (++i < n);
+}
+
+static bool moves(const inverse_map *map)
+{
+    double sum = 0.0;
+
+    for (int i = 0; i < 3; i++)
+        sum += fabs(map->move[i]) + fabs(map->move_lo[i]);
+    return sum != 0.0;
+}
+
 static void clear(vec_lanes *l) { memset(l, 0, sizeof *l); }
 
 static void map_all(const inverse_map *map, const texture_points *in, bool uv, uint32_t n, vec_lanes *at, vec_lanes *lo)
@@ -132,6 +166,8 @@ static void map_all(const inverse_map *map, const texture_points *in, bool uv, u
         map_points_exactly(map, from, from_lo, n, at, lo);
     } else if (map && is_straight(map->linear, axes)) {
         scale_points(map, axes, from, from_lo, n, at);
+    } else if (map && !moves(map)) {
+        turn_points(map, from, from_lo, n, at);
     } else if (map) {
         map_points(map, from, from_lo, n, at);
     } else {
@@ -143,16 +179,16 @@ static void map_all(const inverse_map *map, const texture_points *in, bool uv, u
 
 void points_place(const model *m, const pattern *p, const texture_points *in, uint32_t n, vec_lanes *at, vec_lanes *lo)
 {
-    const bool moves = !turbulence_is_none(&p->turbulence) && !(p->class->flags & PATTERN_OWN_TURBULENCE);
+    const bool displaces = !turbulence_is_none(&p->turbulence) && !(p->class->flags & PATTERN_OWN_TURBULENCE);
 
     map_all(map_table_at(&m->kept_maps, p->map), in, p->uv && in->has_surface, n, at, lo);
     for (uint32_t i = n; i < lanes_whole(n); i++)
         lanes_put(at, i, lanes_at(at, n - 1));
     if (p->warps)
         warp_apply(p->warps, m->noise, at, n);
-    if (moves)
+    if (displaces)
         warp_displace(&p->turbulence, m->noise, at, n);
-    if (lo && (p->warps || moves))
+    if (lo && (p->warps || displaces))
         clear(lo);
 }
 
