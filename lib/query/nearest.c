@@ -109,18 +109,23 @@ SIMD_INLINE void filter(packet *p, const leaf_batch *r, uint64_t lanes)
 static void ask_together(packet *p, const leaf_batch *r, uint64_t lanes)
 {
     uint8_t of[WORLD_MANY];
+    xform_batch instanced;
     pairs some;
     uint32_t i;
 
-    some.count = 0;
+    some.count = instanced.count = 0;
     for (; lanes; lanes &= lanes - 1) {
+        const pov_ray *ray;
+
         i = first_of64(lanes);
         if (!possible_of(p, i, r))
             continue;
         hits_of(p, i)->owner = r->object[0];
         of[some.count] = (uint8_t)i;
-        pairs_put(&some, leaf_batch_instance(r, 0), p->rays[i], &p->hits[i]);
+        ray = r->flags & LEAF_INSTANCED ? own_ray(p->context, &instanced, leaf_batch_xform(r), p->rays[i], p->of[i], r->object[0]) : p->rays[i];
+        pairs_put(&some, leaf_batch_instance(r, 0), ray, &p->hits[i]);
     }
+    xform_batch_apply(&instanced);
     if (some.count > 0)
         pairs_ask(p->context, r->shape, leaf_batch_class(r), &some, false);
     for (i = 0; i < some.count; i++)

@@ -170,10 +170,12 @@ static uint64_t ask_together(packet *p, const leaf_batch *r, uint64_t lanes)
 {
     const bool blocks = p->any_blocks || (r->opaque & 1);
     uint64_t ended = 0;
+    pov_ray own[WORLD_MANY];
     uint8_t of[WORLD_MANY];
+    xform_batch instanced;
     pairs some;
 
-    some.count = 0;
+    some.count = instanced.count = 0;
     for (; lanes; lanes &= lanes - 1) {
         const uint32_t i = first_of64(lanes);
         pov_hits *hits = blocks ? &p->hits[i] : &p->filter_hits[i];
@@ -183,8 +185,11 @@ static uint64_t ask_together(packet *p, const leaf_batch *r, uint64_t lanes)
         begin_light(p, i);
         hits->owner = r->object[0];
         of[some.count] = (uint8_t)i;
-        pairs_put(&some, leaf_batch_instance(r, 0), p->rays[i], hits);
+        if (r->flags & LEAF_INSTANCED)
+            xform_batch_add(&instanced, leaf_batch_xform(r), p->rays[i], &own[some.count]);
+        pairs_put(&some, leaf_batch_instance(r, 0), r->flags & LEAF_INSTANCED ? &own[some.count] : p->rays[i], hits);
     }
+    xform_batch_apply(&instanced);
     if (some.count > 0)
         pairs_ask(p->context, r->shape, leaf_batch_class(r), &some, false);
     for (; blocks && some.count > 0; some.count--)

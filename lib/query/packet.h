@@ -103,7 +103,7 @@ static inline uint32_t possible_of(packet *p, uint32_t i, const leaf_batch *r)
 /* Does the only shape of a batch take several rays side by side, and are there several that filters cannot take? */
 static inline bool packet_asks_together(const packet *p, const leaf_batch *r, uint64_t lanes)
 {
-    return (lanes & (lanes - 1)) != 0 && r->count == 1 && !(r->flags & (LEAF_PACKED | LEAF_INSTANCED)) && r->shape->intersect_many &&
+    return (lanes & (lanes - 1)) != 0 && r->count == 1 && !(r->flags & LEAF_PACKED) && r->shape->intersect_many &&
            !p->from;
 }
 
