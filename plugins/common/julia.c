@@ -202,17 +202,101 @@ COMMON_INLINE void follow_pair(const common_julia *j, bool squares, uint32_t pla
     s->sure[l] = 0;
 }
 
+/* ---- their squares, side by side ---- */
+
+/* wide: how far a stretch reaches from its middle. */
+typedef struct pairs { double re[2][COMMON_PROBES], im[2][COMMON_PROBES], off[2][COMMON_PROBES], wide[COMMON_PROBES]; } pairs;
+
+/* As follow_pair() begins. */
+COMMON_INLINE void enter_pair(const common_julia *restrict j, const common_probes *restrict s, uint32_t l, pairs *restrict q)
+{
+    const double sqrt_two = 1.4142135623730951, *n = j->slice.v, px = s->p[0][l], py = s->p[1][l], pz = s->p[2][l];
+    const double dx = s->d[0][l], dy = s->d[1][l], dz = s->d[2][l];
+    const double last = (j->at - n[0] * px - n[1] * py - n[2] * pz) / n[3], by = (n[0] * dx + n[1] * dy + n[2] * dz) / n[3];
+    const double off = sqrt_two * (s->off[l] + sqrt((dx * dx + dy * dy + dz * dz) + by * by)), wide = s->wide[l] ? off : 0.0;
+
+    q->re[0][l] = px - last;
+    q->im[0][l] = py + pz;
+    q->re[1][l] = px + last;
+    q->im[1][l] = py - pz;
+    q->off[0][l] = q->off[1][l] = q->wide[l] = wide;
+}
+
+/* The square of one of a pair plus a number. */
+COMMON_INLINE void square_one(pairs *restrict q, uint32_t which, uint32_t l, double re, double im)
+{
+    const double x = q->re[which][l], y = q->im[which][l], off = q->off[which][l], size = sqrt(x * x + y * y);
+
+    q->re[which][l] = (x * x - y * y) + re;
+    q->im[which][l] = 2.0 * x * y + im;
+    q->off[which][l] = off > 0.0 ? (2.0 * size + off) * off : 0.0;
+}
+
+/* What is known of them at a place. What has left stays as it is. */
+COMMON_INLINE int64_t look_at_pair(const pairs *restrict q, uint32_t l, uint32_t place, double most, common_probes *restrict s)
+{
+    const double ux = q->re[0][l], uy = q->im[0][l], vx = q->re[1][l], vy = q->im[1][l], u_off = q->off[0][l], v_off = q->off[1][l];
+    const double u2 = ux * ux + uy * uy, v2 = vx * vx + vy * vy, square = 0.5 * (u2 + v2), u = sqrt(u2), v = sqrt(v2);
+    const double near_u = u - u_off > 0.0 ? u - u_off : 0.0, near_v = v - v_off > 0.0 ? v - v_off : 0.0, far_u = u + u_off, far_v = v + v_off;
+    const double least = q->wide[l] > 0.0 ? 0.5 * (near_u * near_u + near_v * near_v) : square;
+    const double farthest = q->wide[l] > 0.0 ? 0.5 * (far_u * far_u + far_v * far_v) : 0.0;
+    const int64_t before = s->left[l], left = least <= most ? before : 0, open = farthest <= most ? s->open[l] : -1;
+
+    s->square[l] = before ? square : s->square[l];
+    s->place[l] = before ? place : s->place[l];
+    s->open[l] = before ? open : s->open[l];
+    s->left[l] = left;
+    return left;
+}
+
+COMMON_INLINE void follow_pairs(const common_julia *restrict j, uint32_t places_wanted, double reach, uint32_t lanes, common_probes *restrict s)
+{
+    const double *c = j->c.v, most = reach * reach;
+    int64_t any = -1;
+    pairs q;
+
+    for (uint32_t l = 0; l < lanes; l++) {
+        enter_pair(j, s, l, &q);
+        s->left[l] = -1;
+        s->open[l] = s->sure[l] = 0;
+        s->square[l] = s->place[l] = s->slope[l] = 0.0;
+    }
+    for (uint32_t place = 0; any && place < places_wanted; place++) {
+        any = 0;
+        for (uint32_t l = 0; l < lanes; l++)
+            any |= look_at_pair(&q, l, place, most, s);
+        for (uint32_t l = 0; l < lanes; l++) {
+            square_one(&q, 0, l, c[0] - c[3], c[1] + c[2]);
+            square_one(&q, 1, l, c[0] + c[3], c[1] - c[2]);
+        }
+    }
+}
+
+#define FOLLOW_PAIRS(name, lanes)                                                                                                  \
+    COMMON_CLONES static void name(const common_julia *j, uint32_t places_wanted, double reach, common_probes *restrict s)         \
+    {                                                                                                                              \
+        follow_pairs(j, places_wanted, reach, lanes, s);                                                                           \
+    }
+FOLLOW_PAIRS(follow_four_pairs, 4)
+FOLLOW_PAIRS(follow_eight_pairs, 8)
+FOLLOW_PAIRS(follow_many_pairs, COMMON_PROBES)
+
 void common_julia_follow(const common_julia *j, uint32_t places_wanted, double reach, common_probes *s, uint32_t n)
 {
+    const uint32_t lanes = n > 8 ? COMMON_PROBES : n > 4 ? 8 : 4;
+
     if (!j->f) {
         follow_quaternions(j, places_wanted, reach, s, n);
-        return;
+    } else if (j->squares && n > 1) {
+        fill_lanes(s, n, lanes);
+        (lanes == 4 ? follow_four_pairs : lanes == 8 ? follow_eight_pairs : follow_many_pairs)(j, places_wanted, reach, s);
+    } else {
+        for (uint32_t l = 0; l < n; l++)
+            if (j->squares)
+                follow_pair(j, true, places_wanted, reach, s, l);
+            else
+                follow_pair(j, false, places_wanted, reach, s, l);
     }
-    for (uint32_t l = 0; l < n; l++)
-        if (j->squares)
-            follow_pair(j, true, places_wanted, reach, s, l);
-        else
-            follow_pair(j, false, places_wanted, reach, s, l);
 }
 
 /* By small steps to both sides. */
