@@ -98,8 +98,8 @@ typedef struct csg_outline {
 
 /* One surface, clipped by convex solids: their members. shown: some of these show as well. outlined: the tree's outline has the clips
  * as its columns, and nothing else, but for the tree's box where that is needed. loose: some clips have no ends, or are convex along some
- * rays only, so that their outline alone can tell. */
-typedef struct csg_clipped { uint32_t count, surface, clip[CSG_FEW]; bool shown, outlined, loose; } csg_clipped;
+ * rays only, so that their outline alone can tell. hollows: then, those of which the complement clips, as bits. */
+typedef struct csg_clipped { uint32_t count, surface, clip[CSG_FEW], hollows; bool shown, outlined, loose; } csg_clipped;
 
 typedef struct csg_tree {
     csg_few few;

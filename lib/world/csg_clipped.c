@@ -14,10 +14,10 @@ enum { CROSSINGS = 8 };
 
 /* ---- which trees ---- */
 
-/* loose: as an outline has it, such as a half-space. */
+/* loose: as an outline has it, such as a half-space, or its complement. */
 static bool may_clip(const csg_member *m, bool loose)
 {
-    return !m->inverse && !m->patch && !m->absent && (loose ? m->shape->outline != NULL : m->boxed && (m->shape->flags & POV_SHAPE_CONVEX));
+    return !m->patch && !m->absent && (loose ? m->shape->outline != NULL : !m->inverse && m->boxed && (m->shape->flags & POV_SHAPE_CONVEX));
 }
 
 /* The surface is the only member that shows, or the only one that cannot clip. Else the number of members. */
@@ -67,6 +67,7 @@ static bool find_clips(csg_tree *t, bool loose)
         if (!may_clip(&t->members[i], loose))
             return false;
         found.shown = found.shown || !t->members[i].hidden;
+        found.hollows |= (uint32_t)t->members[i].inverse << found.count;
         found.clip[found.count++] = i;
     }
     t->clipped = found;
@@ -83,7 +84,8 @@ void csg_find_clipped(csg_tree *t)
 
 typedef struct clip_search {
     csg_traversal *w;
-    double enter, leave;         /* of all clips */
+    double enter, leave;         /* of all clips but hollows */
+    double in[CSG_FEW], out[CSG_FEW];   /* of hollows */
     pov_crossing entry, exit;    /* where they are known in double-double */
     uint32_t escalated;
     bool unsure;
@@ -213,9 +215,10 @@ static bool narrow_all(clip_search *s, const pov_hits *hits)
 /* The same by the outline, all ends off by less than `off`. CSG_OPEN: doubles do not tell. */
 static csg_found narrow_by_outline(clip_search *s, const pov_hits *hits, double *off)
 {
+    const uint32_t hollows = s->w->tree->clipped.hollows;
     csg_intervals k;
 
-    if (!csg_outline_common(s->w->tree->outline, s->w->ray, &k))
+    if (!csg_outline_common(s->w->tree->outline, hollows, s->w->ray, &k))
         return CSG_OPEN;
     *off = CSG_OUTLINE_MARGIN * k.per_unit;
     if (s->w->tree->outline->endless)
@@ -224,6 +227,10 @@ static csg_found narrow_by_outline(clip_search *s, const pov_hits *hits, double 
         return CSG_OPEN;
     s->enter = (k.in[0] - k.start) * k.per_unit;
     s->leave = (k.out[0] - k.start) * k.per_unit;
+    for (uint32_t i = 0, left = hollows; left; left &= left - 1, i++) {
+        s->in[i] = (k.in[i + 1] - k.start) * k.per_unit;
+        s->out[i] = (k.out[i + 1] - k.start) * k.per_unit;
+    }
     return s->enter > s->leave + *off || s->leave < -*off || s->enter - *off > hits->tmax + hits->slack ? CSG_NOTHING : CSG_CROSSED;
 }
 
@@ -246,15 +253,51 @@ static bool report_clip(clip_search *s, pov_hits *hits)
     return true;
 }
 
+/* Will any crossing of the surface do that is certainly within the clips? It is then no nearer than it is said to be, and the slack says that
+ * it is not at the end. */
+static bool is_brief(const clip_search *s, double off, const pov_hits *hits)
+{
+    const csg_clipped *c = &s->w->tree->clipped;
+
+    return off > 0.0 && hits->want == POV_WANT_ANY && !c->shown && !c->hollows && s->w->tree->members[c->surface].shape->intersect_between;
+}
+
+/* For crossings of the surface within clips whose ends are off by less than `off`, or in all of a stretch. */
+static pov_hits hits_of_surface(clip_search *s, double from, double to, double off, const pov_hits *hits)
+{
+    const csg_member *m = &s->w->tree->members[s->w->tree->clipped.surface];
+    pov_hits found = hits_between(s, m, from, to, off > 0.0 ? POV_WANT_NEAREST : POV_WANT_ALL, hits);
+
+    if (is_brief(s, off, hits)) {
+        found.want = POV_WANT_ANY;
+        found.tmax = fmin(s->leave, hits->tmax);
+        found.slack = fmax(off, hits->slack);
+    }
+    return found;
+}
+
 /* Of ends that are off nothing lies outside of them, and no crossing counts but the first. */
 static const pov_crossing *find_first(clip_search *s, const pov_hits *found, double off)
 {
-    return first_of_surface(s, note(s, &s->w->tree->members[s->w->tree->clipped.surface], found), off);
+    const pov_crossing *first = first_of_surface(s, note(s, &s->w->tree->members[s->w->tree->clipped.surface], found), off);
+
+    s->unsure = s->unsure || found->near_end || (found->want == POV_WANT_ANY && found->count > 0 && !first);
+    return first;
 }
 
 static bool needs_normal(const clip_search *s, const pov_crossing *first, const pov_hits *hits)
 {
     return !s->unsure && first && !is_enough(&s->w->tree->clipped, first, hits);
+}
+
+/* Is a crossing certainly in no hollow, all ends of which are off by less than `off`? */
+static bool is_beside_hollows(const clip_search *s, const pov_crossing *at, double off)
+{
+    bool is_beside = true;
+
+    for (uint32_t i = 0, left = s->w->tree->clipped.hollows; left; left &= left - 1, i++)
+        is_beside = is_beside && (s->in[i] > s->out[i] + off || at->t < s->in[i] - off || at->t > s->out[i] + off);
+    return is_beside;
 }
 
 /* Is the ray inside the surface half way between the ends, where nothing crosses it? Doubles will do there. */
@@ -266,6 +309,25 @@ static bool is_inside(const clip_search *s, const csg_member *m, const pov_ray *
     return m->shape->inside(m->instance, pov_add(own->org, pov_scale(own->dir, t)), zero) != m->inverse;
 }
 
+/* Where hollows clip too: the first crossing of the surface, if no hollow holds the place. Where these show, nothing does before it if the ray
+ * enters the surface there. */
+static bool conclude_hollow(clip_search *s, const pov_ray *own, const pov_crossing *first, const pov_vec3 *normal, double off, pov_hits *hits)
+{
+    const csg_clipped *c = &s->w->tree->clipped;
+    const csg_member *m = &s->w->tree->members[c->surface];
+    const bool enough = first && is_enough(c, first, hits);
+    bool enters = m->turned;
+
+    if (s->unsure || !(off > 0.0) || (!first && c->shown && is_inside(s, m, own)))
+        return false;
+    if (first && !(is_beside_hollows(s, first, off) && (enough || (find_side(m, own, normal, &enters) && (enters || !c->shown)))))
+        return false;
+    hits->escalated += s->escalated;
+    if (first)
+        csg_report(first, enters, hits);
+    return true;
+}
+
 /* `first`: of the surface, or NULL; `normal`: where that is needed. False: open. */
 static bool conclude(clip_search *s, const pov_ray *own, const pov_crossing *first, const pov_vec3 *normal, double off, pov_hits *hits)
 {
@@ -274,6 +336,8 @@ static bool conclude(clip_search *s, const pov_ray *own, const pov_crossing *fir
     const bool enough = first && is_enough(c, first, hits);
     bool enters = m->turned;
 
+    if (c->hollows)
+        return conclude_hollow(s, own, first, normal, off, hits);
     if (s->unsure || (first && !enough && !find_side(m, own, normal, &enters)))
         return false;
     hits->escalated += s->escalated;
@@ -299,7 +363,7 @@ static bool find_between(clip_search *s, double from, double to, double off, pov
     pov_ray own;
 
     ray = ray_of(s, m, &own);
-    found = hits_between(s, m, from, to, off > 0.0 ? POV_WANT_NEAREST : POV_WANT_ALL, hits);
+    found = hits_of_surface(s, from, to, off, hits);
     (m->shape->intersect_between ? m->shape->intersect_between : m->shape->intersect)(m->instance, ray, &found);
     first = find_first(s, &found, off);
     if (needs_normal(s, first, hits))
@@ -410,7 +474,7 @@ uint32_t csg_clipped_many(const csg_tree *t, const pov_ray *const *rays, pov_hit
         if (found != CSG_CROSSED)
             continue;
         crossed |= 1u << i;
-        all.found[i] = hits_between(s, m, fmax(s->enter - all.off[i], 0.0), s->leave + all.off[i], POV_WANT_NEAREST, hits[i]);
+        all.found[i] = hits_of_surface(s, fmax(s->enter - all.off[i], 0.0), s->leave + all.off[i], all.off[i], hits[i]);
     }
     if (!crossed)
         return open;

@@ -160,7 +160,7 @@ static uint32_t within_of(const csg_tree *t)
 
     const uint32_t box = of->boxed ? 1u << of->count : 0;
 
-    return t->clipped.outlined ? box | ((1u << t->clipped.count) - 1) : box ? box | of->within : t->chords.within;
+    return t->clipped.outlined ? box | (((1u << t->clipped.count) - 1) & ~t->clipped.hollows) : box ? box | of->within : t->chords.within;
 }
 
 /* Rays that are never within all members that are no complements, ahead and before their end, certainly pass the tree. Others do not

@@ -130,17 +130,28 @@ static void narrow_column(const csg_outline *of, uint32_t c, const near_ray *k, 
         narrow(csg_cross_quadric(quadric, k->at, k->along, from), io);
 }
 
-bool csg_outline_common(const csg_outline *of, const pov_ray *ray, csg_intervals *out)
+bool csg_outline_common(const csg_outline *of, uint32_t hollows, const pov_ray *ray, csg_intervals *out)
 {
-    csg_stretch s = { -HUGE_VAL, HUGE_VAL, 0.0, 0.0 };
+    const csg_stretch all = { -HUGE_VAL, HUGE_VAL, 0.0, 0.0 };
+    csg_stretch s = all;
+    uint32_t n = 0;
     near_ray k;
 
     if (!come_near(of, ray, &k, out))
         return false;
     for (uint32_t c = 0; c < of->count + of->boxed; c++)
-        narrow_column(of, c, &k, out->from, &s);
+        if (!(hollows >> c & 1))
+            narrow_column(of, c, &k, out->from, &s);
     out->in[0] = s.in;
     out->out[0] = s.out;
+    for (; hollows && s.open == 0.0; hollows &= hollows - 1) {
+        csg_stretch hollow = all;
+
+        narrow_column(of, first_of(hollows), &k, out->from, &hollow);
+        out->in[++n] = hollow.in;
+        out->out[n] = hollow.out;
+        s.open = hollow.open;
+    }
     return s.open == 0.0;
 }
 

@@ -94,8 +94,8 @@ typedef struct csg_intervals {
 } csg_intervals;
 /* False: open. */
 bool csg_outline_cross(const csg_outline *of, const pov_ray *ray, csg_intervals *out);
-/* What all columns of clips have in common: the first interval. */
-bool csg_outline_common(const csg_outline *of, const pov_ray *ray, csg_intervals *out);
+/* What all columns of clips have in common: the first interval. Behind it those of hollows, one after the other. */
+bool csg_outline_common(const csg_outline *of, uint32_t hollows, const pov_ray *ray, csg_intervals *out);
 /* As csg_chords_first() of any tree with an outline. */
 bool csg_sweep_first(csg_traversal *w, pov_hits *hits);
 /* Ask a member for its crossings, and count that. */

@@ -233,7 +233,7 @@ static bool is_good(const search *s, const common_polynomial_root *r)
 
 static bool report(const search *s, const part *of, const common_root *found)
 {
-    pov_two t = { distance_of(of, found->x), 0.0 };
+    pov_two t = { distance_of(of, found->known ? found->x : found->lo), 0.0 };
     uint32_t flags = 0;
 
     if (!isfinite(t.hi * s->k->unit))

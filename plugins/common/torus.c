@@ -115,10 +115,10 @@ static common_range wanted_of(const stretch *s, const pov_hits *hits)
 bool common_torus_is_blocked(const stretch *s, const common_bracket *root, common_range wanted, pov_hits *hits)
 {
     const pov_mark mark = { root->rising ? EXITING : ENTERING, 0, 0.0, 0.0 };
-    const double t = (s->middle + root->hi * s->half) * s->ray.unit;
+    const double least = (s->middle + root->lo * s->half) * s->ray.unit, most = (s->middle + root->hi * s->half) * s->ray.unit;
 
     return hits->want == POV_WANT_ANY && wanted.first && root->lo > wanted.ahead &&
-           t * (1.0 + 0x1p-40) + hits->slack < hits->tmax && !pov_cross(hits, t, 0.0, mark);
+           most * (1.0 + 0x1p-40) + hits->slack < hits->tmax && !pov_cross(hits, least, 0.0, mark);
 }
 
 /* ---- from the surface ---- */

@@ -133,6 +133,8 @@ static const pov_shape_fast torus_fast = {
     .intersect_many = intersect_many,
     .normal_many = normal_many,
     .narrow = narrow,
+    .intersect_between = intersect,
+    .intersect_between_many = intersect_many,
 };
 
 static const void *extension(const char *name) { return common_is_fast(name) ? &torus_fast : NULL; }

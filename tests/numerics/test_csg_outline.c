@@ -194,12 +194,12 @@ static void make_any_tree(scene *s)
 }
 
 /* A torus without poles, which has no outline, within one convex member or two, or within planes and quadrics; or what these have of it,
- * which others may clip, or without it. */
+ * which others may clip, or one of them without the others. */
 static void make_torus_tree(scene *s, node_op op)
 {
     group_node all = { .op = op, .line = 1, .column = 1 };
     const probe torus = { .kind = TORUS, .count = 2, .size = 1.0, .number = { 0.5 + 0.8 * U(), 0.1 + 0.4 * U() } };
-    const uint32_t n = op == NODE_DIFFERENCE || U() < 0.8 ? 2 : 3, place = op == NODE_CLIP ? 0 : op == NODE_DIFFERENCE ? 1 : below(n);
+    const uint32_t n = U() < 0.8 ? 2 : 3, place = op == NODE_CLIP ? 0 : below(n);
     node_ref children[3], root;
 
     s->endless = U() < 0.4;
