@@ -380,6 +380,14 @@ static bool leave_line(search *s)
     return true;
 }
 
+/* Is the nearest crossing one of those that were found? What is left lies beyond these. */
+static bool has_nearest(const search *s)
+{
+    const pov_hits *h = s->hits;
+
+    return h->want == POV_WANT_NEAREST && h->count > 0 && h->at->owner == h->owner;
+}
+
 static outcome search_line(search *s)
 {
     const int degree = degree_of(s) - s->from_here;
@@ -400,8 +408,12 @@ static outcome search_line(search *s)
         found = search_part(s, degree, -size, false, &behind);
     if (found == MORE && behind > 0 && s->start < -size)
         found = search_part(s, degree, -size, true, &behind);
+    if (found == MORE && has_nearest(s))
+        return ENOUGH;
     if (found == MORE && ahead > 0 && !ends_before(s, s->base))
         found = search_part(s, degree, size, false, &ahead);
+    if (found == MORE && has_nearest(s))
+        return ENOUGH;
     if (found == MORE && ahead > 0 && !ends_before(s, s->base + size))
         found = search_part(s, degree, size, true, &ahead);
     return found;
