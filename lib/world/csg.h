@@ -114,6 +114,7 @@ typedef struct csg_tree {
     csg_endless *endless;
     uint32_t member_count, node_count, child_count, bounds_count, endless_count;
     uint32_t open_count;         /* members that are open */
+    double open_size;            /* the least of their boxes' largest extents; 0: none has a box */
     bool boxed, empty;           /* boxed: it is finite; empty: its members have nothing in common */
     double size;                 /* the largest coordinate of the boxes */
     pov_box box;

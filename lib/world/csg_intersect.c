@@ -10,8 +10,9 @@
 /* In the mark of a crossing of a member that clips. */
 #define APPLIED 0x04000000u
 
-/* Distance from a crossing at which inside() of open members is called, as a fraction of the size. */
-static const double open_step = 0x1p-24;
+/* Distance from a crossing at which inside() of open members is called: a fraction of the least of these, however large others are,
+ * but more than the roundings of a place as far from the origin. */
+static const double open_step = 0x1p-24, open_step_least = 0x1p-46;
 
 static double cosine_at(const csg_traversal *w, const pov_crossing *at) { return fabs(csg_slope(w, at)); }
 
@@ -173,8 +174,10 @@ static void apply(csg_traversal *w, uint32_t first, uint32_t end)
 static double step_at(const csg_traversal *w, uint32_t first, uint32_t end)
 {
     const pov_crossing *at = w->found.at;
-    double step = w->dir > 0.0 ? open_step * w->size / w->dir : 0.0;
+    const double size = w->tree->open_size > 0.0 ? w->tree->open_size : w->size;
+    double step = open_step * size + open_step_least * (pov_largest(w->ray->org) + w->dir * fabs(at[first].t));
 
+    step = w->dir > 0.0 ? step / w->dir : 0.0;
     step = fmin(step, 0.5 * (at[first].t - (first > 0 ? at[first - 1].t : 0.0)));
     return end < w->found.count ? fmin(step, 0.5 * (at[end].t - at[end - 1].t)) : step;
 }

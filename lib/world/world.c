@@ -150,6 +150,15 @@ static bool find_solids(world *w)
     return w->solids != NULL;
 }
 
+static void note_open(csg_tree *t, const csg_member *m)
+{
+    const double size = m->open && m->boxed ? pov_largest(pov_sub(m->box.hi, m->box.lo)) : 0.0;
+
+    t->open_count += m->open;
+    if (size > 0.0 && !(t->open_size > 0.0 && t->open_size < size))
+        t->open_size = size;
+}
+
 /* Members get their positions from their batches. */
 static bool bind_trees(world *w)
 {
@@ -162,7 +171,7 @@ static bool bind_trees(world *w)
             m->xform = ref.xform;
             m->class_number = w->groups[w->objects_info[m->leaf].group].class_number;
             m->open = m->shape->open && m->shape->open(m->instance);
-            w->trees.items[i].open_count += m->open;
+            note_open(&w->trees.items[i], m);
         }
         if (!csg_find_same(&w->trees.items[i], w->env) || !csg_find_outline(&w->trees.items[i], w->env))
             return false;

@@ -70,9 +70,33 @@ static void the_size_of_a_scene_changes_nothing(void **state)
     assert_alike(CUBIC, "sphere { 0, 1 }", LOOK "translate 1e7*x", "<10000000,1.2,-5>");
 }
 
+/* Whether a ray is within an open surface is asked beside its crossings: as near to them as it is thin. */
+static void a_thin_open_surface_is_clipped_alike_by_small_and_large_ones(void **state)
+{
+    static const char *const objects[] = { "cone { 0, .7, .02*z, .9 open ", "cylinder { 0, <.03,.02,.05>, .8 open ",
+                                           "cone { -.01*y, .9, .01*y, .7 open rotate 50*x " };
+    static const char *const large[] = { "box { -3, <3,3,2000000> }", "box { -2000000000, 3 }", "sphere { <0,0,2000000>, 2000003 }" };
+
+    (void)state;
+    for (size_t i = 0; i < sizeof objects / sizeof *objects; i++) {
+        float *small = draw(objects[i], "box { -3, 3 }", LOOK, "<.3,.2,-5>", false);
+
+        for (size_t k = 0; k < sizeof large / sizeof *large; k++) {
+            float *other = draw(objects[i], large[k], LOOK, "<.3,.2,-5>", false);
+
+            for (int j = 0; j < 3 * WIDE * HIGH; j++)
+                if (!(fabsf(small[j] - other[j]) < 1e-6f))
+                    fail_msg("%s by %s: %g at %d, not %g", objects[i], large[k], (double)other[j], j, (double)small[j]);
+            free(other);
+        }
+        free(small);
+    }
+}
+
 int main(void)
 {
-    const struct CMUnitTest tests[] = { cmocka_unit_test(one_clip_is_like_several), cmocka_unit_test(the_size_of_a_scene_changes_nothing) };
+    const struct CMUnitTest tests[] = { cmocka_unit_test(one_clip_is_like_several), cmocka_unit_test(the_size_of_a_scene_changes_nothing),
+                                        cmocka_unit_test(a_thin_open_surface_is_clipped_alike_by_small_and_large_ones) };
 
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
