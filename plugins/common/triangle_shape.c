@@ -5,9 +5,10 @@
 void common_triangle_make(common_triangle *t, const pov_vec3 corner[3])
 {
     const pov_vec3 e = pov_sub(corner[1], corner[0]), f = pov_sub(corner[2], corner[0]);
+    const double size = fmax(pov_largest(e), pov_largest(f));
     int i;
 
-    t->scale = pov_inverse_power(fmax(pov_largest(e), pov_largest(f)));
+    t->scale = size > 0.0 ? pov_inverse_power(size) : 1.0;   /* programs write points, too */
     for (i = 0; i < 3; i++)
         t->corner[i] = pov_scale(corner[i], t->scale);
     t->seen = !common_triangle_is_degenerate(&t->corner[0], &t->corner[1], &t->corner[2]);

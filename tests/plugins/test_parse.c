@@ -185,6 +185,27 @@ static void ends_may_be_written_either_way(void **state)
     fake_reader_destroy(in);
 }
 
+static void corners_in_one_place_are_bounded_by_it(void **state)
+{
+    static const wanted table[] = { { "triangle", "<3, 4, 5>, <3, 4, 5>, <3, 4, 5>", 1, NULL },
+                                    { "smooth_triangle", "<3, 4, 5>, <1, 0, 0>, <3, 4, 5>, <0, 1, 0>, <3, 4, 5>, <0, 0, 1>", 1, NULL } };
+
+    (void)state;
+    for (int i = 0; i < 2; i++) {
+        const shape_class *shape = fake_reader_shape(table[i].keyword);
+        pov_reader *in = fake_reader_create();
+        pov_box box;
+        void *self;
+
+        fake_reader_text(in, table[i].text);
+        self = fake_reader_parse(in, shape);
+        assert_non_null(self);
+        assert_true(shape->bounds(self, &box));
+        assert_true(box.lo.x == 3.0 && box.hi.x == 3.0 && box.lo.y == 4.0 && box.hi.y == 4.0 && box.lo.z == 5.0 && box.hi.z == 5.0);
+        fake_reader_destroy(in);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -192,6 +213,7 @@ int main(void)
         cmocka_unit_test(what_makes_no_shape_is_refused),
         cmocka_unit_test(a_polygon_may_be_off_its_plane_by_rounding),
         cmocka_unit_test(ends_may_be_written_either_way),
+        cmocka_unit_test(corners_in_one_place_are_bounded_by_it),
     };
 
     return cmocka_run_group_tests(tests, NULL, NULL);
