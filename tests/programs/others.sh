@@ -29,7 +29,8 @@ if have obabel; then
     obabel molecule.xyz -O openbabel_clear.pov -xt -xc -xf -xs > /dev/null
 fi
 if have jmol && have xvfb-run; then
-    for view in 'spacefill 25%; wireframe 0.15' 'spacefill; wireframe off' 'isosurface sasurface translucent'; do
+    for view in 'spacefill 25%; wireframe 0.15' 'spacefill; wireframe off' 'isosurface sasurface translucent' \
+                'spacefill 25%; select *; halos on' 'geosurface 0.5; spacefill 20%'; do
         name=jmol_$(echo "$view" | tr -dc 'a-z0-9')
         echo "load molecule.xyz; $view; write POVRAY $name.pov; exitJmol" > script.spt
         timeout 120 xvfb-run -a jmol -n -o -g160x120 -s script.spt > /dev/null 2>&1
