@@ -21,7 +21,12 @@ static veil veil_before(veil near, veil far)
 
 /* ---- fog ---- */
 
-static colour colour_at(const float *r, const float *g, const float *b, uint32_t i) { return colour_of(r[i], g[i], b[i]); }
+static inline veil fogs_at(const fog_veils *f, uint32_t i)
+{
+    const veil v = { colour_of(f->by[0][i], f->by[1][i], f->by[2][i]), colour_of(f->given[0][i], f->given[1][i], f->given[2][i]) };
+
+    return v;
+}
 
 colour air_fog_dims(const shading *scene, pov_vec3 from, pov_vec3 dir, double length)
 {
@@ -135,17 +140,17 @@ void air_add(air_segments *s, const path *p, const pov_ray *ray, double t)
 
     s->path[i] = p;
     lanes_put(&s->on.from, i, ray->org);
-    lanes_put(&s->on.dir, i, ray->dir);
+    lanes_put(&s->dir, i, ray->dir);
     s->on.length[i] = t;
 }
 
 /* From ray parameters to lengths, and directions to unit vectors, as pov_unit() makes them. False: some is out of range. */
-SIMD_CLONES static bool measure_lanes(fog_segments *restrict s, uint32_t n)
+SIMD_CLONES static bool measure_lanes(const vec_lanes *restrict dirs, fog_segments *restrict s, uint32_t n)
 {
     int64_t plain = -1;
 
     for (uint32_t i = 0; i < n; i++) {
-        const pov_vec3 dir = lanes_at(&s->dir, i);
+        const pov_vec3 dir = lanes_at(dirs, i);
         const double size = pov_largest(dir);
         const pov_vec3 d = pov_scale(dir, 1.0 / size);
         const double t = s->length[i], length = t * size * sqrt(pov_dot(d, d));
@@ -171,12 +176,14 @@ static void join(air_segments *s)
 
 void air_measure(const shade_context *c, air_segments *s)
 {
-    const vec_lanes before = s->on.dir;
+    const uint32_t n = lanes_whole(s->on.count);
 
     fog_fill(&s->on);
-    if (!measure_lanes(&s->on, lanes_whole(s->on.count)))
-        for (uint32_t i = 0; i < s->on.count; i++)
-            lanes_put(&s->on.dir, i, pov_unit(lanes_at(&before, i)));
+    for (uint32_t i = s->on.count; i < n; i++)
+        lanes_put(&s->dir, i, lanes_at(&s->dir, s->on.count - 1));
+    if (!measure_lanes(&s->dir, &s->on, n))
+        for (uint32_t i = 0; i < n; i++)
+            lanes_put(&s->on.dir, i, pov_unit(lanes_at(&s->dir, i)));
     if (c->scene->plan->hidden)
         join(s);
     fog_find(c->scene->model, &s->on, &s->fogs);
@@ -215,26 +222,50 @@ SIMD_APART static veil veil_below(shade_context *c, const air_segments *on, uint
 static inline veil veil_of(shade_context *c, const air_segments *on, uint32_t i, bool seen)
 {
     const path *p = on->path[i];
-    const fog_veils *f = &on->fogs;
     const bool open = seen && p->solids == 0 && p->gathers == 0, bows = open && c->scene->model->rainbows.count > 0;
     const bool hazy = sees_media(c, p);
     const veil below = bows || hazy ? veil_below(c, on, i, bows, hazy) : clear;
-    const veil fogs = { colour_at(f->by[0], f->by[1], f->by[2], i), colour_at(f->given[0], f->given[1], f->given[2], i) };
 
-    return open ? veil_before(fogs, below) : below;
+    return open ? veil_before(fogs_at(&on->fogs, i), below) : below;
+}
+
+/* The path behind what dims it by `by`. */
+static inline void go_on(const path *p, colour by, bool shows, path *behind)
+{
+    simd_copy(&behind->level, &p->level, sizeof *p - offsetof(path, level));
+    behind->factor.by = colour_mul(p->factor.by, by);
+    behind->factor.weight = p->factor.weight;
+    if (shows)
+        behind->clear = p->clear * colour_grey(by);
+}
+
+/* Where fogs are all there is. */
+static void cross_fogs(const shade_context *c, const air_segments *s, uint64_t seen, path *dimmed, colour *out)
+{
+    const fog_veils *f = &s->fogs;
+
+    for (uint32_t i = 0; i < s->on.count; i++) {
+        const path *p = s->path[i];
+        const bool open = (seen >> i & 1) && p->solids == 0 && p->gathers == 0;
+        const veil v = veil_before(fogs_at(f, i), clear);
+
+        go_on(p, open ? v.by : clear.by, c->alpha != NULL, &dimmed[i]);
+        if (open)
+            accumulate(p, v.given, out);
+    }
 }
 
 void air_cross(shade_context *c, const air_segments *s, uint64_t seen, path *dimmed, colour *out)
 {
-    for (uint32_t i = 0; i < s->on.count; i++, dimmed++) {
-        const path *p = s->path[i];
+    if (c->scene->model->rainbows.count == 0 && !c->scene->plan->media) {
+        cross_fogs(c, s, seen, dimmed, out);
+        return;
+    }
+    for (uint32_t i = 0; i < s->on.count; i++) {
         const veil v = veil_of(c, s, i, seen >> i & 1);
 
-        simd_copy(&dimmed->level, &p->level, sizeof *p - offsetof(path, level));
-        dimmed->factor.by = colour_mul(p->factor.by, v.by);
-        dimmed->factor.weight = p->factor.weight;
-        dimmed->clear = p->clear * colour_grey(v.by);
-        accumulate(p, v.given, out);
+        go_on(s->path[i], v.by, c->alpha != NULL, &dimmed[i]);
+        accumulate(s->path[i], v.given, out);
     }
 }
 

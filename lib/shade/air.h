@@ -9,7 +9,8 @@
 /* Segments of paths, and what fogs do on them. */
 typedef struct air_segments {
     const path *path[BATCH_MAX];
-    fog_segments on;             /* while they are added: directions as the rays have them, and ray parameters */
+    vec_lanes dir;               /* directions as the rays have them */
+    fog_segments on;             /* while they are added: ray parameters for lengths */
     fog_veils fogs;
 } air_segments;
 

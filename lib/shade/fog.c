@@ -13,19 +13,18 @@ SIMD_INLINE double layered_integral(double y)
     return y <= 0.0 ? y : above;
 }
 
-/* Mean density times length of a layered fog between two heights, in its units above the offset. */
-SIMD_INLINE double layered_course(double y0, double y1, double length)
+/* Mean density times length of a layered fog between two heights, in its units above the offset, that are the same. */
+static double level_course(double y, double length)
 {
-    const double rise = y1 - y0, level = y0 <= 0.0 ? 1.0 : 1.0 / (1.0 + y0 * y0);
-    const double course = length * (layered_integral(y1) - layered_integral(y0)) / rise;
+    const double level = y <= 0.0 ? 1.0 : 1.0 / (1.0 + y * y);
 
-    return rise == 0.0 ? length * level : course;
+    return length * level;
 }
 
-/* The same for a ray without end that rises by `slope` a unit of length. */
-SIMD_INLINE double endless_course(double y0, double slope)
+/* The same for a ray without end that rises by `slope` a unit of length, and the integral up to its start. */
+static double endless_course(double before, double slope)
 {
-    const double quarter = 1.57079632679489661923, course = (quarter - layered_integral(y0)) / slope;
+    const double quarter = 1.57079632679489661923, course = (quarter - before) / slope;
 
     return slope > 0.0 ? course : HUGE_VAL;
 }
@@ -49,20 +48,82 @@ SIMD_CLONES static void find_stepped(const fog *restrict f, const fog_segments *
         course[i] = stepped_course(height_of(f, s, i), slope_of(f, s, i), s->length[i]);
 }
 
-SIMD_CLONES static void find_layered(const fog *restrict f, const fog_segments *restrict s, uint32_t n, double *restrict course)
-{
-    for (uint32_t i = 0; i < n; i++) {
-        const double height = height_of(f, s, i), slope = slope_of(f, s, i), length = s->length[i];
+/* Where segments begin and end in a layered fog: heights in its units above the offset, and the integrals up to there. */
+typedef struct SIMD_ALIGNED layers_crossed { double from[LANES_MAX], to[LANES_MAX], before[LANES_MAX], after[LANES_MAX]; } layers_crossed;
 
-        course[i] = layered_course(height / f->alt, (height + slope * length) / f->alt, length);
+/* False: they begin at different heights. */
+SIMD_CLONES static bool find_heights(const fog *restrict f, const fog_segments *restrict s, uint32_t n, layers_crossed *restrict out)
+{
+    const double first = height_of(f, s, 0);
+    int64_t alike = -1;
+
+    for (uint32_t i = 0; i < n; i++) {
+        const double height = height_of(f, s, i);
+
+        alike &= height == first ? -1 : 0;
+        out->from[i] = height / f->alt;
+        out->to[i] = (height + slope_of(f, s, i) * s->length[i]) / f->alt;
     }
+    return alike != 0;
 }
 
-static void find_endless(const fog *f, const fog_segments *s, double *course)
+SIMD_CLONES static bool any_above(const double *restrict y, uint32_t n)
 {
+    int64_t below = -1;
+
+    for (uint32_t i = 0; i < n; i++)
+        below &= y[i] <= 0.0 ? -1 : 0;
+    return below == 0;
+}
+
+SIMD_CLONES static void find_integrals(const double *restrict y, uint32_t n, double *restrict out)
+{
+    for (uint32_t i = 0; i < n; i++)
+        out[i] = layered_integral(y[i]);
+}
+
+/* Camera rays begin at one height, and what stands on the ground is often below the offset. */
+static void integrate(const double *y, bool alike, uint32_t n, double *out)
+{
+    const double first = layered_integral(y[0]);
+
+    if (!any_above(y, n))
+        memcpy(out, y, n * sizeof *out);
+    else if (alike)
+        for (uint32_t i = 0; i < n; i++)
+            out[i] = first;
+    else
+        find_integrals(y, n, out);
+}
+
+/* False: some segment keeps its height. */
+SIMD_CLONES static bool find_sloped(const fog_segments *restrict s, const layers_crossed *restrict at, uint32_t n, double *restrict course)
+{
+    int64_t sloped = -1;
+
+    for (uint32_t i = 0; i < n; i++) {
+        const double rise = at->to[i] - at->from[i];
+
+        course[i] = s->length[i] * (at->after[i] - at->before[i]) / rise;
+        sloped &= rise == 0.0 ? 0 : -1;
+    }
+    return sloped != 0;
+}
+
+static void find_layered(const fog *f, const fog_segments *s, uint32_t n, double *course)
+{
+    layers_crossed at;
+    const bool alike = find_heights(f, s, n, &at);
+
+    integrate(at.from, alike, n, at.before);
+    integrate(at.to, false, n, at.after);
+    if (!find_sloped(s, &at, n, course))
+        for (uint32_t i = 0; i < n; i++)
+            if (at.to[i] - at.from[i] == 0.0)
+                course[i] = level_course(at.from[i], s->length[i]);
     for (uint32_t i = 0; i < s->count; i++)
         if (s->length[i] == HUGE_VAL)
-            course[i] = endless_course(height_of(f, s, i) / f->alt, slope_of(f, s, i) / f->alt);
+            course[i] = endless_course(at.before[i], slope_of(f, s, i) / f->alt);
 }
 
 static void find_course(const fog *f, const fog_segments *s, uint32_t n, double *course)
@@ -73,7 +134,6 @@ static void find_course(const fog *f, const fog_segments *s, uint32_t n, double 
         find_stepped(f, s, n, course);
     } else {
         find_layered(f, s, n, course);
-        find_endless(f, s, course);
     }
 }
 
