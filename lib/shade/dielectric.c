@@ -4,7 +4,6 @@
 #include "base/simd.h"
 #include "base/vec.h"
 
-#include <string.h>
 
 const interior *dielectric_interior(const model *m, uint32_t which)
 {
@@ -73,7 +72,7 @@ bool dielectric_push(dielectric_stack *stack, const env *e, uint32_t which)
     return VEC_PUSH(e, stack, which);
 }
 
-bool dielectric_pass(dielectric_stack *stack, const env *e, dielectric_span *in, const dielectric_crossing *c)
+bool dielectric_pass_any(dielectric_stack *stack, const env *e, dielectric_span *in, const dielectric_crossing *c)
 {
     dielectric_span out = { stack->count, 0 };
 
@@ -85,14 +84,6 @@ bool dielectric_pass(dielectric_stack *stack, const env *e, dielectric_span *in,
     out.count = stack->count - out.first;
     *in = out;
     return true;
-}
-
-void dielectric_compact(dielectric_stack *stack, dielectric_span *span, size_t floor)
-{
-    if (span->count > 0)
-        memmove(stack->items + floor, stack->items + span->first, span->count * sizeof *stack->items);
-    span->first = floor;
-    stack->count = floor + span->count;
 }
 
 /* ---- where camera rays start ---- */

@@ -27,9 +27,28 @@ void dielectric_cross(const dielectric_stack *stack, dielectric_span in, const m
 const interior *dielectric_interior(const model *m, uint32_t which);
 double dielectric_ior(const interior *in, float hue);
 /* The list of the transmitted ray: a new one at the top; with an index of SIZE_MAX the same once more. False: no memory. */
-bool dielectric_pass(dielectric_stack *stack, const env *e, dielectric_span *in, const dielectric_crossing *c);
+bool dielectric_pass_any(dielectric_stack *stack, const env *e, dielectric_span *in, const dielectric_crossing *c);
+/* The same; most rays enter the only one, or leave it. */
+static inline bool dielectric_pass(dielectric_stack *stack, const env *e, dielectric_span *in, const dielectric_crossing *c)
+{
+    const bool enters = in->count == 0, first = c->index == 0;
+
+    if (!first || in->count > 1 || stack->count == stack->capacity)
+        return dielectric_pass_any(stack, e, in, c);
+    stack->items[stack->count] = c->object;
+    in->first = stack->count;
+    in->count = enters;
+    stack->count += enters;
+    return true;
+}
 /* Drop everything above `floor` except the span, which is moved down onto it. */
-void dielectric_compact(dielectric_stack *stack, dielectric_span *span, size_t floor);
+static inline void dielectric_compact(dielectric_stack *stack, dielectric_span *span, size_t floor)
+{
+    for (size_t i = 0; span->first != floor && i < span->count; i++)
+        stack->items[floor + i] = stack->items[span->first + i];
+    span->first = floor;
+    stack->count = floor + span->count;
+}
 bool dielectric_is_in(const dielectric_stack *stack, dielectric_span in, uint32_t which);
 /* Do two lists hold the same? */
 static inline bool dielectric_are_alike(const dielectric_stack *stack, dielectric_span a, dielectric_span b)

@@ -82,8 +82,9 @@ static void weigh(const shade_context *c, layers *l, uint32_t i)
 {
     const appearance *a = l->on.at[i].appearance;
     appearance *own = &l->on.varying[i];
+    const onward on = surfaces_onward(&l->on, i);
 
-    if (layer_weigh(&l->of[i], c->scene->model, a, surfaces_onward(&l->on, i), &l->left))
+    if (layer_weigh(&l->of[i], c->scene->model, a, &on, &l->left))
         return;
     if (a != own)
         *own = *a;
@@ -109,7 +110,7 @@ static void add_next(const shade_context *c, layers *l, const surfaces *s, const
 
 static void fill(const shade_context *c, layers *l, const surfaces *s, const painted *p)
 {
-    l->on.count = 0;
+    l->on.count = l->on.interfaces = 0;
     l->on.shared = true;
     while (l->surface < s->count && (l->term > 0 || fits(l, s, p)) && l->on.count < BATCH_MAX) {
         add_next(c, l, s, p);

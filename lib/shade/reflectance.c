@@ -3,6 +3,7 @@
 #include "shade/fade.h"
 #include "shade/film.h"
 #include "shade/highlight.h"
+#include "shade/interface.h"
 
 /* The branches of a path's Fresnel equations, as choices. */
 SIMD_INLINE double fresnel_of(double cosine, double ratio)
@@ -104,18 +105,16 @@ static void find_all(reflectances *m, const model *of)
 /* The ior of the object over that of the dielectric entered last, and the inverse where the ray leaves the object. That is the
  * ior ahead over that behind but for a ray that leaves one dielectric within another: for POV-Ray the one that was entered
  * last is the one ahead. If that is the object itself, there is none of Fresnel's reflection. */
-static double ratio_at(const shade_context *c, const surface *s, dielectric_crossing *at)
+static double ratio_at(const shade_context *c, const surface *s, const dielectric_crossing *at)
 {
     const model *m = c->scene->model;
     const dielectric_span in = s->from->inside;
-    const uint32_t object = shading_solid(c->scene, s->at->object);
 
-    dielectric_cross(&c->dielectrics, in, m, object, s->from->hue, at);
     if (at->index == in.count)
         return at->after / at->before;
     if (at->index + 1 == in.count)
         return in.count == 1 ? 1.0 / at->before : 1.0;
-    return at->before / dielectric_ior(dielectric_interior(m, object), s->from->hue);
+    return at->before / dielectric_ior(dielectric_interior(m, at->object), s->from->hue);
 }
 
 static void put_colour(float out[3][BATCH_MAX], uint32_t i, colour c)
@@ -143,25 +142,18 @@ static void put_constants(reflectances *m, uint32_t i, const appearance *a)
     m->has_metal |= r->metallic != 0.0f;
 }
 
-/* Surfaces of a batch mostly cross the same interface as the one before. */
-static bool is_like_last(const shade_context *c, const surfaces *s, uint32_t lane)
+/* i: the last of the lanes. */
+static inline void put_ratio(const shade_context *c, reflectances *m, surfaces *s, uint32_t i, uint32_t lane)
 {
-    const surface *a = &s->at[lane], *b = a - 1;
+    const uint32_t known = s->interfaces;
+    const dielectric_crossing *at;
 
-    return lane > 0 && b->appearance->fresnel && a->at->object == b->at->object && a->from->hue == b->from->hue &&
-           dielectric_are_alike(&c->dielectrics, a->from->inside, b->from->inside);
-}
-
-static void put_ratio(const shade_context *c, reflectances *m, surfaces *s, uint32_t i, uint32_t lane)
-{
     if (!s->at[lane].appearance->fresnel)
         return;
-    if (is_like_last(c, s, lane)) {
-        m->ratio[i] = m->ratio[i - 1];
-        s->crossing[lane] = s->crossing[lane - 1];
-    } else {
-        m->ratio[i] = ratio_at(c, &s->at[lane], &s->crossing[lane]);
-    }
+    at = interface_find(c, s, lane);
+    if (s->interfaces > known)
+        m->last_ratio = ratio_at(c, &s->at[lane], at);
+    m->ratio[i] = m->last_ratio;
 }
 
 /* Batches of one appearance often follow one another: then what holds at any angle stands in its lanes. */
@@ -210,17 +202,18 @@ static void set(const shade_context *c, surfaces *s, uint32_t lane, coefficient 
     const finish *f = a->finish;
     const geometry *g = &s->geometry;
     const colour by = mirrored.by;
-    onward *out = &s->onward[lane];
-    colour filter = a->onward.filter.by;
+    onward out = a->onward;
+    colour filter = out.filter.by;
 
-    *out = a->onward;
     if (f->conserve_energy)
         filter = colour_mul(filter, colour_of(1.0f - by.r, 1.0f - by.g, 1.0f - by.b));
     if (f->conserve_energy || through != 1.0f)
-        onward_set_filter(out, c->scene->model, colour_scale(filter, through));
-    out->reflection = mirrored;
+        onward_set_filter(&out, c->scene->model, colour_scale(filter, through));
+    s->reflection[lane] = mirrored;
     if (f->irid.amount != 0.0f && !a->powered)
-        out->reflection.by = colour_mul(by, film_mirrored(c->scene->model, f, geometry_cosines(g, lane), lanes_at(&g->to.point, lane)));
+        s->reflection[lane].by = colour_mul(by, film_mirrored(c->scene->model, f, geometry_cosines(g, lane), lanes_at(&g->to.point, lane)));
+    s->filter[lane] = out.filter;
+    s->dark[lane] = out.dark;
 }
 
 /* What light loses on its way does not count in the weight of a ray, as POV-Ray has it: it is a factor of its own. */
@@ -263,17 +256,15 @@ static void set_alike(const model *m, surfaces *s, const appearance *a, float th
     for (uint32_t i = 0; i < r->count; i++) {
         const coefficient mirrored = { colour_at(r, i), r->weight[i] };
 
-        s->onward[i] = a->onward;
-        s->onward[i].reflection = mirrored;
+        s->reflection[i] = mirrored;
     }
-    if (!changes)
-        return;
-    find_filters(r, a->onward.filter.by, conserves, through, r->count, &f);
+    if (changes)
+        find_filters(r, a->onward.filter.by, conserves, through, r->count, &f);
     for (uint32_t i = 0; i < r->count; i++) {
         const coefficient filter = { colour_of(f.by[0][i], f.by[1][i], f.by[2][i]), f.weight[i] };
 
-        s->onward[i].filter = filter;
-        s->onward[i].dark = f.luminance[i] < least;
+        s->filter[i] = changes ? filter : a->onward.filter;
+        s->dark[i] = changes ? f.luminance[i] < least : a->onward.dark;
     }
 }
 

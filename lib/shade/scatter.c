@@ -3,6 +3,7 @@
 #include "query/passage.h"
 #include "shade/air.h"
 #include "shade/film.h"
+#include "shade/interface.h"
 #include "shade/photons.h"
 #include "shade/refract.h"
 #include "shade/spawn.h"
@@ -11,6 +12,20 @@
 #include <limits.h>
 
 /* ---- the rays that go on ---- */
+
+/* As coefficient_mul(), side by side. */
+static inline coefficient product(const coefficient *a, const coefficient *b)
+{
+    float x[4], y[4];
+    coefficient out;
+
+    memcpy(x, a, sizeof x);
+    memcpy(y, b, sizeof y);
+    for (int i = 0; i < 4; i++)
+        x[i] *= y[i];
+    memcpy(&out, x, sizeof out);
+    return out;
+}
 
 /* Limits that cut rays off, and the numbers of rays cut off. */
 typedef struct limits {
@@ -79,7 +94,7 @@ static inline void finish_reflected(scattering *to, batch *b, path *next, const 
 /* Back to the side that the ray came from. */
 static inline void reflect(scattering *to, const surface *s, uint32_t lane, const coefficient *by)
 {
-    const coefficient factor = coefficient_mul(s->from->factor, *by);
+    const coefficient factor = product(&s->from->factor, by);
     batch *b;
 
     if (!passes_cutoff(&to->limits, s->from, &factor, to->limits.level))
@@ -102,7 +117,7 @@ static colour filmed(const scattering *to, const surface *s, uint32_t lane)
 /* The same where the colour that is seen in the mirror, through its film, is raised to a power. */
 SIMD_NOINLINE static void reflect_power(scattering *to, const surface *s, uint32_t lane, const coefficient *by, float exponent)
 {
-    const coefficient factor = coefficient_mul(s->from->factor, *by), seen = { filmed(to, s, lane), factor.weight };
+    const coefficient factor = product(&s->from->factor, by), seen = { filmed(to, s, lane), factor.weight };
     batch *b;
     power_sum *p;
 
@@ -121,16 +136,17 @@ SIMD_NOINLINE static void reflect_power(scattering *to, const surface *s, uint32
 }
 
 /* The reflected ray of an ordinary surface. */
-static inline void reflect_some(scattering *to, const surface *s, uint32_t lane, const onward *on)
+static inline void reflect_some(scattering *to, const surface *s, uint32_t lane)
 {
     const appearance *a = s->appearance;
+    const coefficient *by = a->angular ? &to->on->reflection[lane] : &a->onward.reflection;
 
     if (!a->reflective)
         return;
     if (!a->powered)
-        reflect(to, s, lane, &on->reflection);
+        reflect(to, s, lane, by);
     else
-        reflect_power(to, s, lane, &on->reflection, a->finish->reflection.exponent);
+        reflect_power(to, s, lane, by, a->finish->reflection.exponent);
 }
 
 /* ---- transmitted rays ---- */
@@ -146,7 +162,7 @@ static double travelled_across(const scattering *to, const surface *s)
 /* A path on the surface's other side, at this cosine to the normal. NULL: the path is cut off. */
 static inline path *spawn_across(scattering *to, const surface *s, const coefficient *by, pov_vec3 direction, double cosine, bool deeper)
 {
-    coefficient factor = coefficient_mul(s->from->factor, *by);
+    coefficient factor = product(&s->from->factor, by);
     const int straight_level = s->appearance->clear ? INT_MAX : to->limits.straight_level;
     batch *b;
     path *next;
@@ -174,12 +190,15 @@ static inline path *spawn_across(scattering *to, const surface *s, const coeffic
     return next;
 }
 
-/* Is the filter so dark that no ray goes through? */
-static inline bool is_dark(scattering *to, const onward *on)
+static inline const coefficient *filter_of(const scattering *to, const surface *s, uint32_t lane)
 {
-    if (on->dark)
-        to->limits.cut_weight++;
-    return on->dark;
+    return s->appearance->angular ? &to->on->filter[lane] : &s->appearance->onward.filter;
+}
+
+/* Is the filter so dark that no ray goes through? */
+static inline bool is_dark(const scattering *to, const surface *s, uint32_t lane)
+{
+    return s->appearance->angular ? to->on->dark[lane] : s->appearance->onward.dark;
 }
 
 /* Straight on, whatever is on both sides. NULL: the path is cut off. */
@@ -200,7 +219,6 @@ static inline path *transmit(scattering *to, const surface *s, uint32_t lane, co
 
 /* Interfaces that refracted rays cross, and their new directions. */
 typedef struct interfaces {
-    dielectric_crossing crossing[BATCH_MAX];
     refraction_lanes to;
     const vec_lanes *normal;     /* facing the ray's start: the shading normals, unless a perturbed one does not */
     const double *cosine;
@@ -224,9 +242,8 @@ static void face_rays(const geometry *g, uint32_t n, interfaces *p)
     p->cosine = p->sizes;
 }
 
-static inline void find_interfaces(const shade_context *c, const surfaces *on, interfaces *p)
+static inline void find_interfaces(const shade_context *c, surfaces *on, interfaces *p)
 {
-    const shading *scene = c->scene;
     const geometry *g = &on->geometry;
     const uint32_t n = on->count;
     const surface *s = on->at;
@@ -235,15 +252,13 @@ static inline void find_interfaces(const shade_context *c, const surfaces *on, i
     for (uint32_t i = 0; i < lanes_whole(n); i++)
         p->to.before[i] = p->to.after[i] = 1.0;
     for (uint32_t i = 0; i < n; i++, s++) {
+        const dielectric_crossing *at;
+
         if (!s->appearance->transmissive || s->appearance->clear)
             continue;
-        if (s->appearance->fresnel)
-            p->crossing[i] = on->crossing[i];
-        else
-            dielectric_cross(&c->dielectrics, s->from->inside, scene->model, shading_solid(scene, s->at->object),
-                             s->from->hue, &p->crossing[i]);
-        p->to.before[i] = p->crossing[i].before;
-        p->to.after[i] = p->crossing[i].after;
+        at = s->appearance->fresnel ? interface_at(on, i) : interface_find(c, on, i);
+        p->to.before[i] = at->before;
+        p->to.after[i] = at->after;
         any = true;
     }
     if (!any)
@@ -294,7 +309,7 @@ static inline bool is_dispersed(const scattering *to, const surface *s, const di
 
 SIMD_NOINLINE static void disperse(scattering *to, const interfaces *p, const surface *s, uint32_t lane, const coefficient *by)
 {
-    const dielectric_crossing *crossing = &p->crossing[lane];
+    const dielectric_crossing *crossing = interface_at(to->on, lane);
     const interior *in = dielectric_interior(to->context->scene->model, crossing->object);
     const int n = in->dispersion_samples;
 
@@ -324,14 +339,14 @@ SIMD_NOINLINE static void disperse(scattering *to, const interfaces *p, const su
  * the surface mirrors as well, as in POV-Ray. */
 static inline bool is_shut(const scattering *to, const interfaces *p, const surface *s, uint32_t lane)
 {
-    return p->crossing[lane].before != p->crossing[lane].after && !(p->to.squared_cosine[lane] > 0.0) &&
-           !is_dispersed(to, s, &p->crossing[lane]);
+    return p->to.before[lane] != p->to.after[lane] && !(p->to.squared_cosine[lane] > 0.0) &&
+           !is_dispersed(to, s, interface_at(to->on, lane));
 }
 
 /* The transmitted ray. */
 static inline void cross(scattering *to, const interfaces *p, const surface *s, uint32_t lane, const coefficient *by)
 {
-    const dielectric_crossing *crossing = &p->crossing[lane];
+    const dielectric_crossing *crossing = interface_at(to->on, lane);
 
     if (is_dispersed(to, s, crossing))
         disperse(to, p, s, lane, by);
@@ -353,17 +368,32 @@ static coefficient shut_by(const scattering *to, const surface *s, uint32_t lane
 
 /* Both rays that can continue from an interface. A reflected one keeps its list of dielectrics. Where the filter is dark
  * no ray looks for a way through, so none is turned back: the surface mirrors as its finish says. */
-static inline void split(scattering *to, const interfaces *p, const surface *s, uint32_t lane, const onward *on)
+static inline void split(scattering *to, const interfaces *p, const surface *s, uint32_t lane)
 {
-    if (is_shut(to, p, s, lane) && !on->dark) {
-        const coefficient by = shut_by(to, s, lane, &on->filter);
+    const bool dark = is_dark(to, s, lane);
+
+    if (!dark && is_shut(to, p, s, lane)) {
+        const coefficient by = shut_by(to, s, lane, filter_of(to, s, lane));
 
         reflect_inside(to, s, lane, &by);
         return;
     }
-    reflect_some(to, s, lane, on);
-    if (!is_dark(to, on))
-        cross(to, p, s, lane, &on->filter);
+    reflect_some(to, s, lane);
+    to->limits.cut_weight += dark;
+    if (!dark)
+        cross(to, p, s, lane, filter_of(to, s, lane));
+}
+
+/* A surface that refracts nothing. */
+static inline void go_straight(scattering *to, bool refraction, const surface *s, uint32_t lane)
+{
+    reflect_some(to, s, lane);
+    if (!s->appearance->transmissive)
+        return;
+    if (is_dark(to, s, lane))
+        to->limits.cut_weight++;
+    else
+        keep_list(to, refraction, transmit(to, s, lane, filter_of(to, s, lane)));
 }
 
 /* Where nothing transmits rays. */
@@ -373,28 +403,21 @@ static void mirror_lanes(scattering *to)
     const surface *s = to->on->at;
 
     for (uint32_t i = 0; i < n; i++, s++)
-        reflect_some(to, s, i, surfaces_onward(to->on, i));
+        reflect_some(to, s, i);
 }
 
-static void scatter_lanes(scattering *to, bool refraction)
+static void scatter_lanes(scattering *to, surfaces *on, bool refraction)
 {
-    const uint32_t n = to->on->count;
-    const surface *s = to->on->at;
+    const surface *s = on->at;
     interfaces p;
 
     if (refraction)
-        find_interfaces(to->context, to->on, &p);
-    for (uint32_t i = 0; i < n; i++, s++) {
-        const bool transmissive = s->appearance->transmissive;
-        const onward *on = surfaces_onward(to->on, i);
-
-        if (transmissive && refraction && !s->appearance->clear) {
-            split(to, &p, s, i, on);
-        } else {
-            reflect_some(to, s, i, on);
-            if (transmissive && !is_dark(to, on))
-                keep_list(to, refraction, transmit(to, s, i, &on->filter));
-        }
+        find_interfaces(to->context, on, &p);
+    for (uint32_t i = 0; i < on->count; i++, s++) {
+        if (refraction && s->appearance->transmissive && !s->appearance->clear)
+            split(to, &p, s, i);
+        else
+            go_straight(to, refraction, s, i);
     }
 }
 
@@ -428,7 +451,7 @@ static void count(const scattering *to)
     counts->transmitted += to->transmitted;
 }
 
-void scatter(shade_context *c, const surfaces *on, batch_queue *q)
+void scatter(shade_context *c, surfaces *on, batch_queue *q)
 {
     const plan *p = c->scene->plan;
     scattering to;
@@ -439,7 +462,7 @@ void scatter(shade_context *c, const surfaces *on, batch_queue *q)
     }
     to = begin(c, on, q);
     if (p->transmission || p->hidden)
-        scatter_lanes(&to, p->refraction);
+        scatter_lanes(&to, on, p->refraction);
     else if (p->reflection)
         mirror_lanes(&to);
     count(&to);
@@ -567,7 +590,7 @@ static void send_through(hit_rays *f)
     }
 }
 
-void scatter_layers(shade_context *c, const layers *l, batch_queue *q)
+void scatter_layers(shade_context *c, layers *l, batch_queue *q)
 {
     const bool refraction = c->scene->plan->refraction;
     scattering to = begin(c, &l->on, q);

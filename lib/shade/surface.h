@@ -28,6 +28,7 @@ typedef struct SIMD_ALIGNED reflectances {
     float weight[BATCH_MAX];     /* of the ray: its largest component before metal dyes it, as in POV-Ray */
     const appearance *held;      /* what holds at any angle of this one stands in the first lanes; NULL: of none */
     uint32_t held_count, count;
+    double last_ratio;           /* of the last interface */
     uint8_t of[BATCH_MAX];       /* the surface */
     bool has_fresnel, has_powers, has_metal;
 } reflectances;
@@ -42,18 +43,22 @@ typedef struct surfaces {
     hit *found[BATCH_MAX];
     geometry geometry;           /* their appearances in the same order */
     appearance varying[BATCH_MAX];   /* of surfaces whose texture varies */
-    onward onward[BATCH_MAX];    /* of those of which it depends on the angle, and the interfaces that Fresnel asks for */
+    coefficient reflection[BATCH_MAX], filter[BATCH_MAX];   /* what goes on from those of which it depends on the angle */
+    bool dark[BATCH_MAX];
+    uint32_t interfaces, last_interface;   /* how many are known, and the last surface that was asked for one */
+    uint8_t interface[BATCH_MAX];   /* by surface; see interface.h */
     dielectric_crossing crossing[BATCH_MAX];
     reflectances reflectances;
     path dimmed[BATCH_MAX];      /* where there is fog: the paths as they arrive */
 } surfaces;
 
 /* What goes on from surface i. */
-static inline const onward *surfaces_onward(const surfaces *s, uint32_t i)
+static inline onward surfaces_onward(const surfaces *s, uint32_t i)
 {
     const appearance *a = s->at[i].appearance;
+    const onward own = { s->reflection[i], s->filter[i], s->dark[i] };
 
-    return a->angular ? &s->onward[i] : &a->onward;
+    return a->angular ? own : a->onward;
 }
 
 /* Find the surfaces that the batch's rays hit and that need more than their emission. Emission, and the background
