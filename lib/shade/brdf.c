@@ -183,11 +183,8 @@ static void set_rich(rich_finishes *r, uint32_t i, const appearance *a, uint32_t
 static const appearance *common(const surfaces *on, uint32_t level)
 {
     const appearance *first = on->count > 0 ? on->at[0].appearance : NULL, *a = first ? stack_level(first, level) : NULL;
-    bool same = a && a->lasts && !(a->kinds & FINISH_IRID);
 
-    for (uint32_t i = 1; same && i < on->count; i++)
-        same = on->at[i].appearance == first;
-    return same ? a : NULL;
+    return a && on->alike && a->lasts && !(a->kinds & FINISH_IRID) ? a : NULL;
 }
 
 static int64_t alike(int64_t some, int64_t all) { return some == all && some < 64 ? some : 0; }

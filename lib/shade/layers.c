@@ -111,6 +111,7 @@ static void add_next(const shade_context *c, layers *l, const surfaces *s, const
 static void fill(const shade_context *c, layers *l, const surfaces *s, const painted *p)
 {
     l->on.count = l->on.interfaces = 0;
+    l->on.alike = false;
     l->on.shared = true;
     while (l->surface < s->count && (l->term > 0 || fits(l, s, p)) && l->on.count < BATCH_MAX) {
         add_next(c, l, s, p);

@@ -172,6 +172,7 @@ static void fly_batch(flight *f, const batch *b, colour *unused)
     }
     for (uint32_t i = 0; i < t->surfaces.count; i++)
         restrain(f, &t->surfaces, i, i);
+    t->surfaces.alike = false;
     scatter(c, &t->surfaces, &t->queue);
 }
 

@@ -54,6 +54,7 @@ static void repeat(photon_lanes *l, const model *m, const surfaces *on, uint32_t
     geometry *to = &l->on.geometry;
 
     l->on.count = BATCH_MAX;
+    l->on.alike = true;
     to->shading = &to->bent;
     to->raw = &to->smooth;
     for (uint32_t i = 0; i < BATCH_MAX; i++) {

@@ -160,10 +160,8 @@ static inline void put_ratio(const shade_context *c, reflectances *m, surfaces *
 static bool begin_alike(reflectances *m, const surfaces *s)
 {
     const appearance *a = s->count > 0 ? s->at[0].appearance : NULL;
-    bool same = a && a->lasts && a->angular;
+    const bool same = a && s->alike && a->lasts && a->angular;
 
-    for (uint32_t i = 1; same && i < s->count; i++)
-        same = s->at[i].appearance == a;
     if (m->held != a || !same) {
         m->has_fresnel = m->has_powers = m->has_metal = false;
         m->held_count = 0;

@@ -49,14 +49,19 @@ static inline bool passes_cutoff(limits *l, const path *p, const coefficient *fa
     return true;
 }
 
+/* What few scenes have: interiors of these kinds, fog, alpha, rays, not photons, that do not see all surfaces. Loops are compiled for
+ * none of these, too. */
+typedef struct rarities { bool fading, dispersion, dims, alpha, hidden; } rarities;
+
+static inline bool is_rare(rarities r) { return r.fading || r.dispersion || r.dims || r.alpha || r.hidden; }
+
 /* Rays that continue from a batch's surfaces: source, targets, and limits. */
 typedef struct scattering {
     shade_context *context;
     const surfaces *on;
     batch_queue *queue;
     limits limits;
-    bool fading, dispersion, dims;   /* there are interiors of these kinds, and fog */
-    bool hidden;                 /* rays, not photons, that do not see all surfaces */
+    rarities has;
     uint64_t reflected, transmitted;   /* numbers of them */
 } scattering;
 
@@ -72,14 +77,14 @@ static inline batch *branch_of(scattering *to, branches *list, const surface *s)
     return b;
 }
 
-static inline void finish_reflected(scattering *to, batch *b, path *next, const surface *s, uint32_t lane)
+static inline void finish_reflected(scattering *to, rarities has, batch *b, path *next, const surface *s, uint32_t lane)
 {
     const double side = to->on->geometry.reflected_side[lane];
     pov_ray *ray = &b->own[b->count++];
 
     next->clear = 0.0f;
     next->mirrored = true;
-    if (to->hidden)
+    if (has.hidden)
         next->travelled = 0.0;
     spawn_turn(next, TURN_MIRRORED);
     if (side < 0.0) {
@@ -92,7 +97,7 @@ static inline void finish_reflected(scattering *to, batch *b, path *next, const 
 }
 
 /* Back to the side that the ray came from. */
-static inline void reflect(scattering *to, const surface *s, uint32_t lane, const coefficient *by)
+static inline void reflect(scattering *to, rarities has, const surface *s, uint32_t lane, const coefficient *by)
 {
     const coefficient factor = product(&s->from->factor, by);
     batch *b;
@@ -101,7 +106,7 @@ static inline void reflect(scattering *to, const surface *s, uint32_t lane, cons
         return;
     b = branch_of(to, &to->queue->mirrored, s);
     if (b)
-        finish_reflected(to, b, spawn(b, s, lanes_at(to->on->geometry.mirrored, lane), factor, true), s, lane);
+        finish_reflected(to, has, b, spawn(b, s, lanes_at(to->on->geometry.mirrored, lane), factor, true), s, lane);
 }
 
 /* What a film makes of the light that a surface mirrors. */
@@ -132,21 +137,31 @@ SIMD_NOINLINE static void reflect_power(scattering *to, const surface *s, uint32
     p->lane[p->count] = s->from->lane;
     p->factor[p->count] = factor.by;
     p->exponent[p->count++] = exponent;
-    finish_reflected(to, b, spawn(b, s, lanes_at(to->on->geometry.mirrored, lane), seen, true), s, lane);
+    finish_reflected(to, to->has, b, spawn(b, s, lanes_at(to->on->geometry.mirrored, lane), seen, true), s, lane);
+}
+
+/* What goes on from surfaces: those that follow one another, or all have the same. */
+typedef struct sources { const appearance *of; const coefficient *reflection, *filter; const bool *dark; uint32_t apart; } sources;
+
+static inline sources sources_of(const surfaces *on, const appearance *a)
+{
+    const sources own = { a, on->reflection, on->filter, on->dark, 1 };
+    const sources same = { a, &a->onward.reflection, &a->onward.filter, &a->onward.dark, 0 };
+
+    return a->angular ? own : same;
 }
 
 /* The reflected ray of an ordinary surface. */
-static inline void reflect_some(scattering *to, const surface *s, uint32_t lane)
+static inline void reflect_some(scattering *to, rarities has, const sources *from, const surface *s, uint32_t lane)
 {
-    const appearance *a = s->appearance;
-    const coefficient *by = a->angular ? &to->on->reflection[lane] : &a->onward.reflection;
+    const coefficient *by = &from->reflection[from->apart * lane];
 
-    if (!a->reflective)
+    if (!from->of->reflective)
         return;
-    if (!a->powered)
-        reflect(to, s, lane, by);
+    if (!from->of->powered)
+        reflect(to, has, s, lane, by);
     else
-        reflect_power(to, s, lane, by, a->finish->reflection.exponent);
+        reflect_power(to, s, lane, by, from->of->finish->reflection.exponent);
 }
 
 /* ---- transmitted rays ---- */
@@ -160,7 +175,8 @@ static double travelled_across(const scattering *to, const surface *s)
 }
 
 /* A path on the surface's other side, at this cosine to the normal. NULL: the path is cut off. */
-static inline path *spawn_across(scattering *to, const surface *s, const coefficient *by, pov_vec3 direction, double cosine, bool deeper)
+static inline path *spawn_across(scattering *to, rarities has, const surface *s, const coefficient *by, pov_vec3 direction, double cosine,
+                                 bool deeper)
 {
     coefficient factor = product(&s->from->factor, by);
     const int straight_level = s->appearance->clear ? INT_MAX : to->limits.straight_level;
@@ -169,7 +185,7 @@ static inline path *spawn_across(scattering *to, const surface *s, const coeffic
 
     if (!passes_cutoff(&to->limits, s->from, &factor, deeper ? to->limits.level : straight_level))
         return NULL;
-    if (to->fading)
+    if (has.fading)
         factor.by = colour_mul(factor.by, s->faded);
     b = branch_of(to, &to->queue->transmitted, s);
     if (!b)
@@ -179,30 +195,19 @@ static inline path *spawn_across(scattering *to, const surface *s, const coeffic
     next->above ^= 1u << s->on;
     if (s->from->gathering)
         next->gathering = s->appearance == &to->context->scene->unseen;
-    if (to->hidden)
+    if (has.hidden)
         next->travelled = travelled_across(to, s);
     spawn_turn(next, TURN_TRANSMITTED);
-    if (to->context->alpha)
-        next->clear *= colour_grey(to->fading ? colour_mul(by->by, s->faded) : by->by);
-    if (to->dims)
+    if (has.alpha)
+        next->clear *= colour_grey(has.fading ? colour_mul(by->by, s->faded) : by->by);
+    if (has.dims)
         next->solids = air_solids_across(to->context->scene, s);
     to->transmitted++;
     return next;
 }
 
-static inline const coefficient *filter_of(const scattering *to, const surface *s, uint32_t lane)
-{
-    return s->appearance->angular ? &to->on->filter[lane] : &s->appearance->onward.filter;
-}
-
-/* Is the filter so dark that no ray goes through? */
-static inline bool is_dark(const scattering *to, const surface *s, uint32_t lane)
-{
-    return s->appearance->angular ? to->on->dark[lane] : s->appearance->onward.dark;
-}
-
 /* Straight on, whatever is on both sides. NULL: the path is cut off. */
-static inline path *transmit(scattering *to, const surface *s, uint32_t lane, const coefficient *by)
+static inline path *transmit(scattering *to, rarities has, const surface *s, uint32_t lane, const coefficient *by)
 {
     const int zero_steps = passage_zero_steps(to->context->scene->world, s->from->zero_steps, s->ray->org, s->at->point);
     path *out;
@@ -211,7 +216,7 @@ static inline path *transmit(scattering *to, const surface *s, uint32_t lane, co
         to->limits.cut_depth++;
         return NULL;
     }
-    out = spawn_across(to, s, by, s->ray->dir, to->on->geometry.view_side[lane], false);
+    out = spawn_across(to, has, s, by, s->ray->dir, to->on->geometry.view_side[lane], false);
     if (out)
         out->zero_steps = (uint16_t)zero_steps;
     return out;
@@ -285,25 +290,25 @@ static inline void keep_list(scattering *to, bool refraction, path *out)
         pass(to, out, &none);
 }
 
-static inline path *refract_at(scattering *to, const surface *s, uint32_t lane, const coefficient *by, pov_vec3 dir)
+static inline path *refract_at(scattering *to, rarities has, const surface *s, uint32_t lane, const coefficient *by, pov_vec3 dir)
 {
-    return spawn_across(to, s, by, dir, -pov_dot(dir, lanes_at(&to->on->geometry.to.normal, lane)), true);
+    return spawn_across(to, has, s, by, dir, -pov_dot(dir, lanes_at(&to->on->geometry.to.normal, lane)), true);
 }
 
 static void reflect_inside(scattering *to, const surface *s, uint32_t lane, const coefficient *by)
 {
     const uint64_t before = to->reflected;
 
-    reflect(to, s, lane, by);
+    reflect(to, to->has, s, lane, by);
     to->context->counts.inner_reflections += to->reflected - before;
 }
 
 /* White light that enters a dielectric of a different ior for each colour is split into some of them. */
-static inline bool is_dispersed(const scattering *to, const surface *s, const dielectric_crossing *crossing)
+static inline bool is_dispersed(const scattering *to, rarities has, const surface *s, const dielectric_crossing *crossing)
 {
     const shading *scene = to->context->scene;
 
-    return to->dispersion && s->from->hue == PATH_WHITE && crossing->index == s->from->inside.count &&
+    return has.dispersion && s->from->hue == PATH_WHITE && crossing->index == s->from->inside.count &&
            dielectric_interior(scene->model, crossing->object)->dispersion != 1.0;
 }
 
@@ -326,7 +331,7 @@ SIMD_NOINLINE static void disperse(scattering *to, const interfaces *p, const su
             reflect_inside(to, s, lane, &shut);
             continue;
         }
-        out = refract_at(to, s, lane, &some, dir);
+        out = refract_at(to, to->has, s, lane, &some, dir);
         if (out) {
             out->hue = hue;
             out->clear = 0.0f;   /* in pictures with alpha glass that disperses is opaque, as in POV-Ray */
@@ -337,23 +342,23 @@ SIMD_NOINLINE static void disperse(scattering *to, const interfaces *p, const su
 
 /* Is light totally reflected? What is dispersed is asked colour by colour: the filter colours what is turned back there, and
  * the surface mirrors as well, as in POV-Ray. */
-static inline bool is_shut(const scattering *to, const interfaces *p, const surface *s, uint32_t lane)
+static inline bool is_shut(const scattering *to, rarities has, const interfaces *p, const surface *s, uint32_t lane)
 {
     return p->to.before[lane] != p->to.after[lane] && !(p->to.squared_cosine[lane] > 0.0) &&
-           !is_dispersed(to, s, interface_at(to->on, lane));
+           !is_dispersed(to, has, s, interface_at(to->on, lane));
 }
 
 /* The transmitted ray. */
-static inline void cross(scattering *to, const interfaces *p, const surface *s, uint32_t lane, const coefficient *by)
+static inline void cross(scattering *to, rarities has, const interfaces *p, const surface *s, uint32_t lane, const coefficient *by)
 {
     const dielectric_crossing *crossing = interface_at(to->on, lane);
 
-    if (is_dispersed(to, s, crossing))
+    if (is_dispersed(to, has, s, crossing))
         disperse(to, p, s, lane, by);
     else if (crossing->before == crossing->after)
-        pass(to, transmit(to, s, lane, by), crossing);
+        pass(to, transmit(to, has, s, lane, by), crossing);
     else
-        pass(to, refract_at(to, s, lane, by, lanes_at(&p->to.dir, lane)), crossing);
+        pass(to, refract_at(to, has, s, lane, by, lanes_at(&p->to.dir, lane)), crossing);
 }
 
 /* What is left of a ray that is totally reflected. The filter that it does not cross counts in its weight, as in POV-Ray. */
@@ -361,49 +366,68 @@ static coefficient shut_by(const scattering *to, const surface *s, uint32_t lane
 {
     coefficient out = { filmed(to, s, lane), filter->weight };
 
-    if (to->fading)
+    if (to->has.fading)
         out.by = colour_mul(out.by, s->faded);
     return out;
 }
 
 /* Both rays that can continue from an interface. A reflected one keeps its list of dielectrics. Where the filter is dark
  * no ray looks for a way through, so none is turned back: the surface mirrors as its finish says. */
-static inline void split(scattering *to, const interfaces *p, const surface *s, uint32_t lane)
+static inline void split(scattering *to, rarities has, const interfaces *p, const sources *from, const surface *s, uint32_t lane)
 {
-    const bool dark = is_dark(to, s, lane);
+    const coefficient *filter = &from->filter[from->apart * lane];
+    const bool dark = from->dark[from->apart * lane];
 
-    if (!dark && is_shut(to, p, s, lane)) {
-        const coefficient by = shut_by(to, s, lane, filter_of(to, s, lane));
+    if (!dark && is_shut(to, has, p, s, lane)) {
+        const coefficient by = shut_by(to, s, lane, filter);
 
         reflect_inside(to, s, lane, &by);
         return;
     }
-    reflect_some(to, s, lane);
+    reflect_some(to, has, from, s, lane);
     to->limits.cut_weight += dark;
     if (!dark)
-        cross(to, p, s, lane, filter_of(to, s, lane));
+        cross(to, has, p, s, lane, filter);
 }
 
 /* A surface that refracts nothing. */
-static inline void go_straight(scattering *to, bool refraction, const surface *s, uint32_t lane)
+static inline void go_straight(scattering *to, rarities has, bool refraction, const sources *from, const surface *s, uint32_t lane)
 {
-    reflect_some(to, s, lane);
-    if (!s->appearance->transmissive)
+    reflect_some(to, has, from, s, lane);
+    if (!from->of->transmissive)
         return;
-    if (is_dark(to, s, lane))
+    if (from->dark[from->apart * lane])
         to->limits.cut_weight++;
     else
-        keep_list(to, refraction, transmit(to, s, lane, filter_of(to, s, lane)));
+        keep_list(to, refraction, transmit(to, has, s, lane, &from->filter[from->apart * lane]));
 }
 
 /* Where nothing transmits rays. */
 static void mirror_lanes(scattering *to)
 {
-    const uint32_t n = to->on->count;
-    const surface *s = to->on->at;
+    const surfaces *on = to->on;
+    const surface *s = on->at;
+    const sources all = sources_of(on, s->appearance);
 
-    for (uint32_t i = 0; i < n; i++, s++)
-        reflect_some(to, s, i);
+    for (uint32_t i = 0; i < on->count; i++, s++) {
+        const sources own = on->alike ? all : sources_of(on, s->appearance);
+
+        reflect_some(to, to->has, &own, s, i);
+    }
+}
+
+static inline bool refracts(const appearance *a) { return a->transmissive && !a->clear; }
+
+/* Surfaces of one appearance, that refract. */
+static void split_plain(scattering *to, const interfaces *p)
+{
+    const rarities none = { false, false, false, false, false };
+    const surfaces *on = to->on;
+    const sources all = sources_of(on, on->at[0].appearance);
+    const surface *s = on->at;
+
+    for (uint32_t i = 0; i < on->count; i++, s++)
+        split(to, none, p, &all, s, i);
 }
 
 static void scatter_lanes(scattering *to, surfaces *on, bool refraction)
@@ -413,11 +437,17 @@ static void scatter_lanes(scattering *to, surfaces *on, bool refraction)
 
     if (refraction)
         find_interfaces(to->context, on, &p);
+    if (refraction && on->alike && refracts(s->appearance) && !is_rare(to->has)) {
+        split_plain(to, &p);
+        return;
+    }
     for (uint32_t i = 0; i < on->count; i++, s++) {
-        if (refraction && s->appearance->transmissive && !s->appearance->clear)
-            split(to, &p, s, i);
+        const sources own = sources_of(on, s->appearance);
+
+        if (refraction && refracts(s->appearance))
+            split(to, to->has, &p, &own, s, i);
         else
-            go_straight(to, refraction, s, i);
+            go_straight(to, to->has, refraction, &own, s, i);
     }
 }
 
@@ -436,7 +466,8 @@ static scattering begin(shade_context *c, const surfaces *on, batch_queue *q)
     const float weight = photons ? photons->bailout : (float)m->adc_bailout;
     const limits l = { level, m->opaque_last_level ? level : INT_MAX, weight, 0, 0 };
     const plan *p = c->scene->plan;
-    const scattering to = { c, on, q, l, p->fading, p->dispersion, c->scene->dims, p->hidden && !photons, 0, 0 };
+    const rarities has = { p->fading, p->dispersion, c->scene->dims, c->alpha != NULL, p->hidden && !photons };
+    const scattering to = { c, on, q, l, has, 0, 0 };
 
     return to;
 }
@@ -456,6 +487,8 @@ void scatter(shade_context *c, surfaces *on, batch_queue *q)
     const plan *p = c->scene->plan;
     scattering to;
 
+    if (on->count == 0)
+        return;
     if (on->ends) {
         count_ends(c, on);
         return;
@@ -515,7 +548,7 @@ static void find_through(hit_rays *f, uint32_t top, uint32_t last)
     f->open++;
     f->through[top] = l->of[last].through;
     f->is_dark[top] = l->of[last].is_dark;
-    if (f->crossed && !a->clear && !f->is_dark[top] && is_shut(f->to, f->crossed, &l->on.at[top], top))
+    if (f->crossed && !a->clear && !f->is_dark[top] && is_shut(f->to, f->to->has, f->crossed, &l->on.at[top], top))
         shut_stack(f, top, last);
 }
 
@@ -565,7 +598,7 @@ static void send_reflected(hit_rays *f)
             merge(&l->on.geometry, f->end, i, f->is_shut, f->shut, false);
         }
         if (plain[i])
-            reflect(f->to, &l->on.at[i], i, &f->reflected[i]);
+            reflect(f->to, f->to->has, &l->on.at[i], i, &f->reflected[i]);
         else if (f->reflects[i] && exponent_of(l, i) != 1.0f)
             reflect_power(f->to, &l->on.at[i], i, &f->reflected[i], exponent_of(l, i));
         if (f->is_shut[i])
@@ -584,9 +617,9 @@ static void send_through(hit_rays *f)
             continue;
         merge(&l->on.geometry, f->end, i, f->goes_on, f->through, !f->crossed);
         if (f->crossed && !s->appearance->clear)
-            cross(f->to, f->crossed, s, i, &f->through[i]);
+            cross(f->to, f->to->has, f->crossed, s, i, &f->through[i]);
         else
-            transmit(f->to, s, i, &f->through[i]);
+            transmit(f->to, f->to->has, s, i, &f->through[i]);
     }
 }
 

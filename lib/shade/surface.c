@@ -208,6 +208,15 @@ static inline const appearance *names_appearance(const names *n, uint32_t which)
     return which < n->own ? &n->appearances[n->known[which].material] : shading_constant(n->scene, which);
 }
 
+static bool are_alike(const surfaces *s)
+{
+    bool others = false;
+
+    for (uint32_t i = 1; i < s->count; i++)
+        others |= s->at[i].appearance != s->at[0].appearance;
+    return !others;
+}
+
 void surfaces_find(shade_context *c, surfaces *s, const batch *b, colour *out)
 {
     const bool special = any_special(c, b), dims = special && c->scene->dims && !c->photons_fly;
@@ -215,9 +224,11 @@ void surfaces_find(shade_context *c, surfaces *s, const batch *b, colour *out)
     surface *at = s->at;
     uint64_t found, rest;
     uint32_t n = 0, k = 0;
+    bool others = false;
 
     if (c->coincident_sets.count > 0 && any_coincident(b)) {
         s->count = find_each(c, s, b, out);
+        s->alike = are_alike(s);
         return;
     }
     found = query_nearest(c->scene->world, c->context, b->rays, b->count, HUGE_VAL, s->hits);
@@ -231,11 +242,13 @@ void surfaces_find(shade_context *c, surfaces *s, const batch *b, colour *out)
         if (dims)
             at->from = &s->dimmed[k];
         if (is_kept(c, b, at, special, names_appearance(&by_name, s->hits[i].object), out)) {
+            others |= at->appearance != s->at[0].appearance;
             at++;
             n++;
         }
     }
     s->count = n;
+    s->alike = !others;
 }
 
 /* ---- points and normals ---- */
@@ -308,8 +321,10 @@ int surfaces_complete(shade_context *c, surfaces *s, painted *p)
         kind = paint_evaluate(scene, s, p);
     if (kind == PAINT_TERMS)
         return kind;
-    if (scene->plan->textures)
+    if (scene->plan->textures) {
         paint_surfaces(scene, s, p);
+        s->alike = are_alike(s);
+    }
     geometry_turn(&s->geometry, s->count);
     s->ends = all_end(c, s);
     if ((scene->angular || scene->plan->fading) && !s->ends)

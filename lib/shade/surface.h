@@ -37,6 +37,7 @@ typedef struct surfaces {
     SIMD_ALIGNED hit hits[BATCH_MAX];   /* by ray of the batch */
     uint32_t count;
     bool ends;                   /* no path goes on from them: what would be reflected and transmitted is not known */
+    bool alike;                  /* all are of one appearance */
     bool shared;                 /* neighbours may be at one hit: the rays from them to a light are one */
     surface at[BATCH_MAX];
     const pov_ray *rays[BATCH_MAX];   /* their rays in the same order, and the hits */
