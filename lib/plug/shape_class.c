@@ -41,6 +41,7 @@ static void fill_fast(shape_class *out, const pov_shape_fast *from)
     out->narrow = f.narrow;
     out->reorder = f.reorder;
     out->normal_at_many = f.normal_at_many;
+    out->cross_sure = f.cross_sure;
 }
 
 void shape_class_fill(shape_class *out, const pov_shape_class *from)

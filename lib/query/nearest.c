@@ -198,6 +198,73 @@ static uint64_t take_class(packet *p, const shape_class *shape, uint64_t left, p
     return others;
 }
 
+/* Pairs of one class whose crossings are written to where they belong. */
+typedef struct sure_pairs {
+    uint32_t count;
+    const void *selves[WORLD_MANY];
+    const pov_ray *rays[WORLD_MANY];
+    pov_crossing *at[WORLD_MANY];
+    pov_contact *contacts[WORLD_MANY];
+    uint8_t lanes[WORLD_MANY];
+} sure_pairs;
+
+static inline bool is_sure(const leaf_batch *r, const shape_class *shape) { return r->shape == shape && !(r->flags & LEAF_INSTANCED); }
+
+/* Collect those of `left` of one class, whose objects are hit; returns the others. */
+static uint64_t take_sure(packet *p, const shape_class *shape, uint64_t left, sure_pairs *some)
+{
+    uint64_t rest, others = 0;
+    uint32_t n = 0;
+
+    for (rest = left; rest; rest &= rest - 1) {
+        const uint32_t i = first_of64(rest);
+        const deferred *d = &p->deferred[i];
+        const leaf_batch *r = d->batch;
+        hit *out = &p->out[p->of[i]];
+
+        if (!is_sure(r, shape)) {
+            others |= bit_of(i);
+            continue;
+        }
+        out->object = out->crossing.owner = r->object[d->lane];
+        out->coincident = 0;
+        SIMD_PREFETCH(&p->world->objects_info[out->object]);
+        some->selves[n] = leaf_batch_instance(r, d->lane);
+        some->rays[n] = p->rays[i];
+        some->at[n] = &out->crossing;
+        some->contacts[n] = hit_contact(out);
+        some->lanes[n++] = (uint8_t)i;
+    }
+    some->count = n;
+    return others;
+}
+
+/* Cross the definite hits of lanes that asked nothing else, where their classes do so without hits. */
+static void resolve_sure(packet *p)
+{
+    const bool contacts = p->world->plan.lighting;
+    uint64_t left = p->deferred_lanes & ~p->asked;
+    sure_pairs some;
+
+    while (left) {
+        const leaf_batch *r = p->deferred[first_of64(left)].batch;
+        uint64_t others, open;
+        uint32_t asked;
+
+        if (!r->shape->cross_sure || (r->flags & LEAF_INSTANCED)) {
+            left &= left - 1;
+            continue;
+        }
+        others = take_sure(p, r->shape, left, &some);
+        open = r->shape->cross_sure(some.selves, some.rays, some.at, contacts ? some.contacts : NULL, some.count);
+        p->crossed |= left & ~others;
+        for (asked = some.count; open; open &= open - 1, asked--)
+            p->crossed &= ~bit_of(some.lanes[first_of64(open)]);
+        query_context_count(p->context, r, asked, 0);
+        left = others;
+    }
+}
+
 /* Intersect deferred shapes that can still be the nearest. */
 static void resolve_deferred(packet *p)
 {
@@ -205,8 +272,9 @@ static void resolve_deferred(packet *p)
     xform_batch instanced;
     pairs some;
 
+    resolve_sure(p);
     instanced.count = 0;
-    for (rest = p->deferred_lanes; rest; rest &= rest - 1) {
+    for (rest = p->deferred_lanes & ~p->crossed; rest; rest &= rest - 1) {
         const uint32_t i = first_of64(rest);
         const leaf_batch *r = p->deferred[i].batch;
 
@@ -270,12 +338,14 @@ SIMD_RARE static uint64_t leave_starts(packet *p, uint64_t found)
     coincident_set from;
     uint64_t rest;
 
-    for (rest = p->asked; rest; rest &= rest - 1) {
+    for (rest = p->asked | p->crossed; rest; rest &= rest - 1) {
         const uint32_t i = first_of64(rest);
         hit *out = &p->out[p->of[i]];
 
-        if ((found >> p->of[i] & 1) && start_may_be_here(p->world, p->rays[i], out->crossing.t) &&
-            !start_leave(p->world, p->context, p->rays[i], p->tmax, &from, out))
+        if (!(found >> p->of[i] & 1) || !start_may_be_here(p->world, p->rays[i], out->crossing.t))
+            continue;
+        p->context->own.complete &= ~bit_of(p->of[i]);
+        if (!start_leave(p->world, p->context, p->rays[i], p->tmax, &from, out))
             found &= ~bit_of(p->of[i]);
     }
     return found;
@@ -287,6 +357,13 @@ static uint64_t end_nearest(packet *p)
     uint64_t found = 0, rest, escalated = 0;
     double least = HUGE_VAL;
 
+    for (rest = p->crossed; rest; rest &= rest - 1) {
+        const uint32_t i = first_of64(rest);
+
+        found |= bit_of(p->of[i]);
+        least = p->deferred[i].lo < least ? p->deferred[i].lo : least;
+    }
+    p->context->own.complete |= p->world->plan.lighting ? found : 0;
     for (rest = p->asked; rest; rest &= rest - 1) {
         const uint32_t i = first_of64(rest);
         const pov_hits *hits = &p->hits[i];

@@ -8,7 +8,7 @@ void packet_begin(packet *p, const world *w, query_context *k, const pov_ray *co
     p->context = k;
     p->tmax = tmax;
     p->slack = 0.0;
-    p->asked = p->deferred_lanes = 0;
+    p->asked = p->deferred_lanes = p->crossed = 0;
     p->from = k->csg.from = NULL;
     k->csg.light = false;
     p->candidates_only = false;

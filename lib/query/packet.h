@@ -25,6 +25,7 @@ typedef struct packet {
     pov_ray named;
     hit *out;                    /* the caller's hits, in queries for the nearest */
     uint64_t deferred_lanes;     /* lanes with a deferred shape */
+    uint64_t crossed;            /* of these, lanes whose hit is known without hits of their own, as they asked nothing else */
     uint32_t left;               /* in occlusion queries: the object that all rays are known to have left, or POV_NO_OWNER */
     bool any_blocks;             /* in occlusion queries: shapes block, transparent or not */
     deferred deferred[WORLD_MANY];

@@ -68,19 +68,24 @@ struct world {
 };
 
 /* Object space rays of instanced shapes, by the caller's number, of the last query for the nearest: `known` ones are in
- * the space of object `of`. first: the first of the caller's hits. */
+ * the space of object `of`. first: the first of the caller's hits; complete: those with point and normal. */
 struct object_space_rays {
     SIMD_ALIGNED pov_ray rays[WORLD_MANY];
     uint32_t of[WORLD_MANY];
-    uint64_t known;
+    uint64_t known, complete;
     const hit *first;
 };
 
 static inline void own_begin(object_space_rays *own, const hit *first)
 {
-    own->known = 0;
+    own->known = own->complete = 0;
     own->first = first;
 }
+
+/* A hit begins with where it is. */
+enum { HIT_CONTACT_AGREES = 1 / (offsetof(hit, point) == offsetof(pov_contact, point) && offsetof(hit, point_lo) == offsetof(pov_contact, point_lo) &&
+                               offsetof(hit, normal) == offsetof(pov_contact, normal)) };
+static inline pov_contact *hit_contact(hit *h) { return (pov_contact *)(void *)h; }
 
 /* Rays to be transformed to object spaces together. */
 typedef struct xform_batch {

@@ -324,10 +324,11 @@ static uint64_t find_copy_normals(const world *w, const pov_ray *const *rays, hi
     return others;
 }
 
-void world_surface_many(const world *w, const object_space_rays *from, const pov_ray *const *rays, hit *const *hits,
-                        uint32_t n, incidence *out)
+/* Of hits without points and normals. */
+static void find_surfaces(const world *w, const object_space_rays *from, const pov_ray *const *rays, hit *const *hits, uint32_t n,
+                          incidence *out)
 {
-    uint64_t left = n > 0 ? ~(uint64_t)0 >> (WORLD_MANY - n) : 0, own;
+    uint64_t left = ~(uint64_t)0 >> (WORLD_MANY - n), own;
     uint32_t i;
 
     if (n >= LANES)
@@ -347,6 +348,96 @@ void world_surface_many(const world *w, const object_space_rays *from, const pov
         if (own >> i & 1)
             set_entering(&w->objects_info[hits[i]->object], rays[i], hits[i]);
         put_normal(out, i, hits[i]);
+    }
+}
+
+/* Hits whose points and normals are known already, as bits. */
+static uint64_t find_complete(const object_space_rays *from, hit *const *hits, uint32_t n)
+{
+    uint64_t complete = 0;
+
+    for (uint32_t i = 0; from && from->complete && i < n; i++)
+        complete |= (from->complete >> (hits[i] - from->first) & 1) << i;
+    return complete;
+}
+
+/* Those that are not `complete`. */
+static void find_others(const world *w, const object_space_rays *from, const pov_ray *const *rays, hit *const *hits, uint32_t n,
+                        uint64_t complete)
+{
+    const pov_ray *some_rays[WORLD_MANY];
+    hit *some_hits[WORLD_MANY];
+    uint32_t count = 0, i;
+    incidence aside;
+
+    for (i = 0; i < n; i++)
+        if (!(complete >> i & 1)) {
+            some_rays[count] = rays[i];
+            some_hits[count++] = hits[i];
+        }
+    if (count > 0)
+        find_surfaces(w, from, some_rays, some_hits, count, &aside);
+}
+
+/* Rays and where their hits are by lane; lanes past the end hold the last one again. */
+static void put_contacts(const pov_ray *const *rays, hit *const *hits, uint32_t n, incidence *out)
+{
+    double more[LANES], other[LANES];
+
+    for (uint32_t first = 0; first < n; first += LANES) {
+        const void *r[LANES], *h[LANES];
+
+        for (uint32_t i = 0; i < LANES; i++) {
+            const uint32_t j = first + i < n ? first + i : n - 1;
+
+            r[i] = rays[j];
+            h[i] = hits[j];
+        }
+        simd_transpose(r, offsetof(pov_ray, dir), out->dir.x + first, out->dir.y + first, out->dir.z + first, other);
+        simd_transpose(h, offsetof(hit, point), out->point.x + first, out->point.y + first, out->point.z + first, out->point_lo.x + first);
+        simd_transpose(h, offsetof(hit, point_lo.y), out->point_lo.y + first, out->point_lo.z + first, out->normal.x + first,
+                       out->normal.y + first);
+        simd_transpose(h, offsetof(hit, normal.z), out->normal.z + first, other, more, other);
+    }
+}
+
+/* Let normals face where rays come from; against: those that rays go against already. */
+SIMD_CLONES static void face_normals(incidence *restrict a, uint32_t n, int64_t *restrict against)
+{
+    for (uint32_t i = 0; i < n; i++) {
+        const pov_vec3 normal = lanes_at(&a->normal, i);
+        const int64_t is_against = pov_dot(normal, lanes_at(&a->dir, i)) < 0.0 ? -1 : 0;
+
+        against[i] = is_against;
+        lanes_put(&a->normal, i, pov_scale(normal, is_against ? 1.0 : -1.0));
+    }
+}
+
+void world_surface_many(const world *w, const object_space_rays *from, const pov_ray *const *rays, hit *const *hits,
+                        uint32_t n, incidence *out)
+{
+    const uint64_t complete = find_complete(from, hits, n);
+    int64_t against[WORLD_MANY];
+
+    if (!complete) {
+        if (n > 0)
+            find_surfaces(w, from, rays, hits, n, out);
+        return;
+    }
+    find_others(w, from, rays, hits, n, complete);
+    put_contacts(rays, hits, n, out);
+    face_normals(out, lanes_whole(n), against);
+    for (uint32_t i = 0; i < n; i++) {
+        hit *h = hits[i];
+
+        if (!(complete >> i & 1)) {
+            put_normal(out, i, h);
+        } else if (w->objects_info[h->object].inverse) {
+            set_entering(&w->objects_info[h->object], rays[i], h);
+            put_normal(out, i, h);
+        } else {
+            h->entering = h->outside = against[i] != 0;
+        }
     }
 }
 

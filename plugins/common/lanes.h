@@ -157,6 +157,67 @@ COMMON_INLINE void common_put_crossings_of(common_rays *l, double *t, double *t_
     }
 }
 
+#ifdef COMMON_TRANSPOSES
+/* Store a double of each of four rows into four structures, the first four rows and so on. */
+static inline void common_put_rows(const double *const rows[4], uint32_t first, double *const to[4])
+{
+    const void *const from[4] = { rows[0] + first, rows[1] + first, rows[2] + first, rows[3] + first };
+    common_four v[4];
+
+    common_transpose(from, 0, v);
+    for (uint32_t j = 0; j < 4; j++)
+        _mm256_storeu_pd(to[j], v[j]);
+}
+#endif
+
+/* Points and normals by lane. */
+typedef struct common_contact_lanes { common_lane3 point, point_lo, normal; } common_contact_lanes;
+
+static inline pov_two common_advance(double o, double o_lo, pov_two t, double d)
+{
+    return pov_two_add(pov_two_add_double(pov_two_of(o, 0.0), o_lo), pov_two_mul_double(t, d));
+}
+
+/* The point of a lane's crossing, as hosts find it. */
+COMMON_INLINE void common_put_point(common_contact_lanes *l, uint32_t i, const pov_ray *ray, double t_hi, double t_lo)
+{
+    const pov_two t = pov_fast_two_sum(t_hi, t_lo);
+    const pov_two x = common_advance(ray->org.x, ray->org_lo.x, t, ray->dir.x);
+    const pov_two y = common_advance(ray->org.y, ray->org_lo.y, t, ray->dir.y);
+    const pov_two z = common_advance(ray->org.z, ray->org_lo.z, t, ray->dir.z);
+
+    common_put(&l->point, i, pov_vec3_of(x.hi, y.hi, z.hi));
+    common_put(&l->point_lo, i, pov_vec3_of(x.lo, y.lo, z.lo));
+}
+
+/* Write where the crossings of n pairs are. */
+COMMON_INLINE void common_get_contacts(const common_contact_lanes *l, pov_contact *const *contacts, uint32_t n)
+{
+#ifdef COMMON_TRANSPOSES
+    const double *const first[4] = { l->point.x, l->point.y, l->point.z, l->point_lo.x };
+    const double *const second[4] = { l->point_lo.y, l->point_lo.z, l->normal.x, l->normal.y };
+
+    for (uint32_t i = 0; i < n; i += 4) {
+        double *to[4], *behind[4];
+
+        for (uint32_t j = 0; j < 4; j++) {
+            to[j] = &contacts[common_lane_of(i + j, n)]->point.x;
+            behind[j] = to[j] + 4;
+        }
+        common_put_rows(first, i, to);
+        common_put_rows(second, i, behind);
+        for (uint32_t j = 0; j < 4; j++)
+            to[j][8] = l->normal.z[i + j];
+    }
+#else
+    for (uint32_t i = 0; i < n; i++) {
+        contacts[i]->point = common_get(&l->point, i);
+        contacts[i]->point_lo = common_get(&l->point_lo, i);
+        contacts[i]->normal = common_get(&l->normal, i);
+    }
+#endif
+}
+
 /* The ray of a lane, without its origin surface. */
 static inline pov_ray common_get_ray(const common_rays *l, uint32_t i)
 {

@@ -38,6 +38,14 @@ static inline pov_mark common_mark(uint32_t feature, uint32_t flags)
     return mark;
 }
 
+/* Write a crossing for cross_sure(). */
+static inline void common_cross_sure(pov_crossing *at, double t, double t_lo, uint32_t feature, uint32_t flags)
+{
+    at->t = t;
+    at->t_lo = t_lo;
+    at->mark = common_mark(feature, flags);
+}
+
 /* Does a ray start on the shape and definitely go into it? */
 static inline bool common_is_inward(const pov_ray *ray, const pov_hits *hits)
 {

@@ -99,6 +99,8 @@ void common_sphere_intersect(const void *self, const pov_ray *ray, pov_hits *hit
 void common_sphere_normal(const void *self, const pov_ray *ray, const pov_crossing *at, pov_vec3 *out);
 void common_sphere_intersect_many(const void *const *selves, const pov_ray *const *rays, pov_hits *const *hits,
                                   uint32_t n);
+uint64_t common_sphere_cross_sure(const void *const *selves, const pov_ray *const *rays, pov_crossing *const *at, pov_contact *const *contacts,
+                                  uint32_t n);
 void common_sphere_normal_many(const void *const *selves, const pov_ray *const *rays, const pov_crossing *const *at,
                                pov_vec3 *const *out, uint32_t n);
 void common_sphere_normal_at_many(const void *const *selves, const pov_vec3 *const *points, pov_vec3 *const *out, uint32_t n);

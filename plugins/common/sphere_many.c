@@ -334,3 +334,94 @@ void common_sphere_normal_at_many(const void *const *selves, const pov_vec3 *con
     for (i = 0; i < n; i++)
         normal_at(selves[i], points[i], out[i]);
 }
+
+/* ---- crossings, and where they are ---- */
+
+/* Write the lanes whose ends are good; returns the others. */
+static inline uint32_t write_ends(const end_lanes *e, uint32_t lanes, pov_crossing *const *at)
+{
+    uint32_t open = 0;
+
+    for (; lanes; lanes &= lanes - 1) {
+        const uint32_t i = common_first_lane(lanes);
+
+        if (e->good[i] && e->t[i] > 0.0)
+            common_cross_sure(at[i], e->t[i], e->t_lo[i], (uint32_t)e->feature[i], POV_MARK_CLOSED);
+        else
+            open |= 1u << i;
+    }
+    return open;
+}
+
+/* Points and normals at the ends, as find_normals_at() below. */
+COMMON_CLONES static void find_contacts(const sphere_lanes *restrict l, const end_lanes *restrict e, common_contact_lanes *restrict out,
+                                      double *restrict largest)
+{
+    uint32_t i;
+
+    for (i = 0; i < COMMON_LANES; i++) {
+        const common_sphere s = get_sphere(l, i);
+        const pov_ray ray = common_get_ray(&l->rays, i);
+
+        common_put_point(out, i, &ray, e->t[i], e->t_lo[i]);
+        largest[i] = put_unit(&out->normal, i, common_sphere_offset_of(&s, common_get(&out->point, i), common_get(&out->point_lo, i)));
+    }
+}
+
+static void put_contacts(const sphere_lanes *l, const end_lanes *e, const void *const *selves, pov_contact *const *contacts, uint32_t n)
+{
+    common_contact_lanes found;
+    common_lane largest;
+
+    find_contacts(l, e, &found, largest);
+    common_get_contacts(&found, contacts, n);
+    for (uint32_t i = 0; i < n; i++)
+        if (!is_moderate(largest[i]))
+            normal_at(selves[i], &contacts[i]->point, &contacts[i]->normal);
+}
+
+/* Ends that are good already stay as they are. */
+static void refine_others(const sphere_lanes *l, end_lanes *e)
+{
+    end_lanes finer = *e;
+
+    refine_ends(l, &finer);
+    for (uint32_t i = 0; i < COMMON_LANES; i++)
+        if (!e->good[i]) {
+            e->t[i] = finer.t[i];
+            e->t_lo[i] = finer.t_lo[i];
+            e->good[i] = finer.good[i];
+        }
+}
+
+static uint32_t cross_sure_lanes(const void *const *selves, const pov_ray *const *rays, pov_crossing *const *at, pov_contact *const *contacts,
+                                 uint32_t n)
+{
+    sphere_lanes lanes;
+    end_lanes end;
+    uint32_t left;
+
+    for (uint32_t i = 0; i < COMMON_LANES; i += 4)
+        put_four(&lanes, i, selves, rays, n);
+    memset(lanes.tmin, 0, sizeof lanes.tmin);
+    find_ends(&lanes, &end);
+    left = write_ends(&end, (1u << n) - 1, at);
+    if (left) {
+        refine_others(&lanes, &end);
+        left = write_ends(&end, left, at);
+    }
+    if (contacts)
+        put_contacts(&lanes, &end, selves, contacts, n);
+    return left;
+}
+
+uint64_t common_sphere_cross_sure(const void *const *selves, const pov_ray *const *rays, pov_crossing *const *at, pov_contact *const *contacts,
+                                  uint32_t n)
+{
+    uint64_t open = 0;
+
+    for (uint32_t i = 0; i < n; i += COMMON_LANES)
+        open |= (uint64_t)cross_sure_lanes(selves + i, rays + i, at + i, contacts ? contacts + i : NULL,
+                                           n - i < COMMON_LANES ? n - i : COMMON_LANES) << i;
+    return open;
+}

@@ -104,6 +104,7 @@ static const pov_shape_fast sphere_fast = {
     .block_pack = common_sphere_pack,
     .block_filter = common_sphere_filter,
     .intersect_many = common_sphere_intersect_many,
+    .cross_sure = common_sphere_cross_sure,
     .normal_many = common_sphere_normal_many,
     .normal_at_many = common_sphere_normal_at_many,
     .outline = outline,

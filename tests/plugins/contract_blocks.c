@@ -360,6 +360,84 @@ static int wrong_crossings(const pov_candidate *candidates, uint32_t count, cons
     return wrong;
 }
 
+static pov_two along(double o, double o_lo, pov_two t, double d)
+{
+    return pov_two_add(pov_two_add_double(pov_two_of(o, 0.0), o_lo), pov_two_mul_double(t, d));
+}
+
+/* Is a contact where the crossing is, with the normal that is found there? */
+static bool is_contact(const void *self, const pov_ray *ray, const pov_crossing *at, const pov_contact *found)
+{
+    const pov_two t = pov_fast_two_sum(at->t, at->t_lo);
+    const pov_two x = along(ray->org.x, ray->org_lo.x, t, ray->dir.x), y = along(ray->org.y, ray->org_lo.y, t, ray->dir.y);
+    const pov_two z = along(ray->org.z, ray->org_lo.z, t, ray->dir.z);
+    const pov_vec3 point[2] = { pov_vec3_of(x.hi, y.hi, z.hi), pov_vec3_of(x.lo, y.lo, z.lo) }, *const from = point;
+    pov_vec3 normal, *const to = &normal;
+
+    if (subject.shape->normal_at_many)
+        subject.shape->normal_at_many(&self, &from, &to, 1);
+    else
+        subject.shape->normal(self, ray, at, &normal);
+    return memcmp(&point[0], &found->point, sizeof point[0]) == 0 && memcmp(&point[1], &found->point_lo, sizeof point[1]) == 0 &&
+           memcmp(&normal, &found->normal, sizeof normal) == 0;
+}
+
+/* Start a ray shortly before its crossing. */
+static void come_near(const void *self, pov_ray *ray, double *end)
+{
+    pov_crossing at;
+    pov_hits hits = ask_nearest(*end, &at);
+    double t;
+
+    subject.shape->intersect(self, ray, &hits);
+    t = hits.count ? at.t * (1.0 - 1.0 / (2.0 + 1e6 * pow(subject_uniform(), 4.0))) : 0.0;
+    ray->org = pov_add(ray->org, pov_scale(ray->dir, t));
+    *end -= t;
+}
+
+/* The same without sinks: the crossings are those of intersect(), and where they are is known. */
+static int wrong_sure(const pov_candidate *candidates, uint32_t count, const thing *const *things, const pov_ray *ray, const double *tmax)
+{
+    const void *selves[POV_RAYS_MAX];
+    const pov_ray *rays[POV_RAYS_MAX];
+    pov_crossing at[POV_RAYS_MAX], *to[POV_RAYS_MAX];
+    pov_contact contacts[POV_RAYS_MAX], *where[POV_RAYS_MAX];
+    double ends[POV_RAYS_MAX];
+    static pov_ray moved[POV_RAYS_MAX];
+    uint32_t n = 0;
+    uint64_t open;
+    int wrong = 0;
+
+    memset(at, 0, sizeof at);
+    for (uint32_t i = 0; i < count && n < POV_RAYS_MAX; i++)
+        if (candidates[i].definite) {
+            selves[n] = things[candidates[i].lane]->self;
+            moved[n] = ray[candidates[i].ray];
+            rays[n] = &moved[n];
+            ends[n] = tmax[candidates[i].ray];
+            if (subject_uniform() < 0.3)
+                come_near(selves[n], &moved[n], &ends[n]);
+            where[n] = &contacts[n];
+            to[n] = &at[n];
+            n++;
+        }
+    if (n == 0)
+        return 0;
+    if (subject_uniform() < 0.5)
+        n = 1 + (uint32_t)((n - 1) * subject_uniform());
+    open = subject.shape->cross_sure(selves, rays, to, where, n);
+    for (uint32_t i = 0; i < n; i++) {
+        pov_crossing alone;
+        pov_hits hits = ask_nearest(ends[i], &alone);
+
+        subject.shape->intersect(selves[i], rays[i], &hits);
+        if (!(open >> i & 1))
+            wrong += hits.count != 1 || alone.t != at[i].t || alone.t_lo != at[i].t_lo || memcmp(&alone.mark, &at[i].mark, sizeof alone.mark) != 0 ||
+                     !is_contact(selves[i], rays[i], &at[i], &contacts[i]);
+    }
+    return wrong;
+}
+
 /* Rays at some things; how many of the answers are wrong. */
 static int wrong_answers(const void *block, const pov_frame *frame, const thing *const *things, uint32_t n, int *seen)
 {
@@ -392,6 +470,8 @@ static int wrong_answers(const void *block, const pov_frame *frame, const thing 
     }
     if (HAS(cross_many))
         broken += wrong_crossings(candidates, count, things, ray, rays.tmax);
+    if (HAS(cross_sure))
+        broken += wrong_sure(candidates, count, things, ray, rays.tmax);
     for (i = 0; i < POV_RAYS_MAX; i++)
         for (k = 0; (lanes >> i & 1) && k < n; k++)
             if ((of[i][k] || !convex || rays.excluded[i] != owners[k])
