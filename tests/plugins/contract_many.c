@@ -65,11 +65,12 @@ static pov_hits any_question(const thing *t, const pov_ray *ray, pov_crossing *a
     return hits;
 }
 
-static bool same_result(const pov_hits *a, const pov_hits *b)
+/* Where any crossing will do, it may be another one. A single ray may escalate for one that turns out not to count. */
+static bool same_result(const pov_hits *one, const pov_hits *many)
 {
-    return a->count == b->count && a->escalated == b->escalated && a->tied == b->tied
-           && memcmp(&a->tmax, &b->tmax, sizeof a->tmax) == 0
-           && (a->count == 0 || memcmp(a->at, b->at, sizeof *a->at) == 0);
+    return one->count == many->count && many->escalated <= one->escalated && one->tied == many->tied &&
+           (one->want == POV_WANT_ANY || memcmp(&one->tmax, &many->tmax, sizeof one->tmax) == 0) &&
+           (one->want == POV_WANT_ANY || one->count == 0 || memcmp(one->at, many->at, sizeof *one->at) == 0);
 }
 
 /* Pairs of a thing and a ray, their questions, and what is there. */
