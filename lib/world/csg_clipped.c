@@ -70,6 +70,9 @@ static bool find_clips(csg_tree *t, bool loose)
         found.hollows |= (uint32_t)t->members[i].inverse << found.count;
         found.clip[found.count++] = i;
     }
+    /* Where a hollow holds the first crossing, the walk asks the surface again: only those that are quick on a stretch gain by it. */
+    if (found.hollows && !t->members[found.surface].shape->intersect_between)
+        return false;
     t->clipped = found;
     return true;
 }
