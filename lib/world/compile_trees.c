@@ -35,8 +35,9 @@ static void extent_of(const void *user, uint32_t leaf, csg_extent *out)
     const shape_class *shape = compile_leaf(f, leaf)->shape;
     made_instance made;
 
-    out->boxed = !(f->group[leaf] & COMPILE_INFINITE) && !(shape->flags & POV_SHAPE_ENDLESS);
-    if (out->boxed)
+    out->has_box = !(f->group[leaf] & COMPILE_INFINITE);
+    out->boxed = out->has_box && !(shape->flags & POV_SHAPE_ENDLESS);
+    if (out->has_box)
         compile_box(f, leaf, &out->box);
     out->is_half_space = false;
     if (!out->boxed && shape->half_space) {
@@ -93,7 +94,7 @@ static void add_tree(compile_state *f, uint32_t which, uint16_t mark)
     if (t->empty)
         f->group[index] |= COMPILE_MEMBER;   /* no ray needs to test it */
     else
-        compile_take(f, index, t->boxed ? &t->box : NULL);
+        compile_take(f, index, t->shows_boxed ? &t->shown : NULL);
 }
 
 bool compile_add_trees(compile_state *f, uint16_t mark)

@@ -245,8 +245,8 @@ static bool bounds(const void *self, pov_box *out)
 {
     const csg_tree *t = ((const csg_root *)self)->tree;
 
-    *out = t->box;
-    return t->boxed;
+    *out = t->shown;
+    return t->shows_boxed;
 }
 
 const shape_class csg_class = {

@@ -116,8 +116,9 @@ typedef struct csg_tree {
     uint32_t open_count;         /* members that are open */
     double open_size;            /* the least of their boxes' largest extents; 0: none has a box */
     bool boxed, empty;           /* boxed: it is finite; empty: its members have nothing in common */
+    bool shows_boxed;            /* all of it that shows lies in `shown`, whatever its inside is */
     double size;                 /* the largest coordinate of the boxes */
-    pov_box box;
+    pov_box box, shown;
     csg_cut *cuts;               /* of a finite intersection: members that are half-spaces */
     uint32_t cut_count;
 } csg_tree;
@@ -129,8 +130,9 @@ typedef struct csg_list csg_list;
 typedef struct csg_root { const csg_tree *tree; } csg_root;
 extern const shape_class csg_class;
 
-/* Data of a member that a tree needs before the member has an instance: its box; or the half-space that it is. */
-typedef struct csg_extent { bool boxed, is_half_space; pov_box box; pov_half_space half_space; } csg_extent;
+/* Data of a member that a tree needs before the member has an instance: the box of its surface, and whether its inside is in it; or the
+ * half-space that it is. */
+typedef struct csg_extent { bool has_box, boxed, is_half_space; pov_box box; pov_half_space half_space; } csg_extent;
 /* Where csg_make() asks for them; and for half-spaces that hold the part of an infinite member within others. */
 typedef struct csg_source {
     void (*extent)(const void *user, uint32_t leaf, csg_extent *out);

@@ -139,6 +139,27 @@ static bool box_of(const extents *x, node_ref node, pov_box *out)
     return n->op == NODE_INTERSECTION ? box_of_common(x, n, out) : box_of_all(x, n, out);
 }
 
+/* A tree without a box may show no more than members whose surfaces have one, such as a height field within an endless cylinder. */
+static void find_shown(csg_tree *t, const csg_extent *of)
+{
+    bool any = false;
+
+    t->shows_boxed = t->boxed;
+    t->shown = t->box;
+    for (uint32_t i = 0; !t->boxed && i < t->member_count; i++) {
+        if (t->members[i].hidden)
+            continue;
+        if (!of[i].has_box)
+            return;
+        if (any)
+            join(&t->shown, &of[i].box);
+        else
+            t->shown = of[i].box;
+        any = true;
+    }
+    t->shows_boxed = t->boxed || any;
+}
+
 /* Parts outside the tree's box are clipped. */
 static void find_boxes(csg_tree *t, const extents *x)
 {
@@ -153,6 +174,7 @@ static void find_boxes(csg_tree *t, const extents *x)
     }
     t->boxed = box_of(x, NODE_GROUP, &t->box);
     t->empty = t->boxed && is_empty(&t->box);
+    find_shown(t, of);
     if (t->boxed && !t->empty)
         t->size = fmax(t->size, fmax(pov_largest(t->box.lo), pov_largest(t->box.hi)));
     for (i = 0; t->boxed && i < t->member_count; i++)

@@ -183,14 +183,16 @@ static double step_at(const csg_traversal *w, uint32_t first, uint32_t end)
 }
 
 /* Enter or leave open members by their inside() at a point of the ray: a ray may enter them without a crossing. */
-static void update_open(csg_traversal *w, double t)
+static void update_open(csg_traversal *w, double t, bool behind)
 {
     for (uint32_t i = 0; w->tree->open_count > 0 && i < w->asked_count; i++) {
         const uint32_t member = w->scratch->asked[i];
         const csg_member *m = &w->tree->members[member];
 
-        if (m->open && csg_member_holds(w, m, t) != w->scratch->inside[member])
+        if (m->open && csg_member_holds(w, m, t) != w->scratch->inside[member]) {
             csg_toggle(w, member);
+            w->grazes = w->grazes || (behind && m->hidden && !w->whole);
+        }
     }
 }
 
@@ -225,13 +227,15 @@ static bool pass_point(csg_traversal *w, pov_hits *hits)
     bool enters;
     int32_t before;
 
-    update_open(w, w->found.at[first].t - step);
+    update_open(w, w->found.at[first].t - step, false);
     clip(w, first, end, true);
     before = root->value;
     if (end > first + 1)
         memcpy(w->scratch->before, w->scratch->states, w->tree->node_count * sizeof *w->scratch->before);
     apply(w, first, end);
-    update_open(w, w->found.at[end - 1].t + step);
+    update_open(w, w->found.at[end - 1].t + step, true);
+    if (w->grazes)
+        return false;
     enters = root->value > before;
     at = root->value != before ? owner_of(w, first, end, enters) : find_patch(w, first, end);
     clip(w, first, end, false);
@@ -243,7 +247,7 @@ static bool pass_point(csg_traversal *w, pov_hits *hits)
 }
 
 /* False: doubles were not sufficient. Crossings reported so far are right. */
-static bool traverse(csg_traversal *w, pov_hits *hits, bool exact)
+static bool traverse_once(csg_traversal *w, pov_hits *hits, bool exact)
 {
     const double last = fmin(hits->tmax + hits->slack, w->leave);
     bool enough = true;
@@ -265,6 +269,22 @@ static bool traverse(csg_traversal *w, pov_hits *hits, bool exact)
     csg_traversal_end(w);
     hits->escalated += w->found.escalated;
     return enough;
+}
+
+/* Where a clip with gaps is left or entered in the very place where something else is crossed, the order of both counts. */
+static bool traverse(csg_traversal *w, pov_hits *hits, bool exact)
+{
+    const uint32_t count = hits->count;
+    bool enough;
+
+    w->whole = false;
+    enough = traverse_once(w, hits, exact);
+    if (!w->grazes)
+        return enough;
+    if (hits->want == POV_WANT_ALL)
+        hits->count = count;   /* the traversal begins again */
+    w->whole = true;
+    return traverse_once(w, hits, exact);
 }
 
 static bool wants_first(const csg_tree *t, const pov_hits *hits)

@@ -361,7 +361,9 @@ static void intersect(csg_traversal *w, const csg_member *m)
         w->found.at[i].owner = w->scratch->names + m->leaf;
 }
 
-/* All crossings of a member ahead; the parity of their number tells whether the ray starts inside it. cut: its crossing,
+/* Of clips with gaps nothing counts but what is inside where others are crossed.
+ *
+ * All crossings of a member ahead; the parity of their number tells whether the ray starts inside it. cut: its crossing,
  * of a half-space that the tree is within; or NULL. */
 static void test_member(csg_traversal *w, uint32_t member, const cut_crossing *cut)
 {
@@ -370,6 +372,8 @@ static void test_member(csg_traversal *w, uint32_t member, const cut_crossing *c
     bool inside;
 
     w->scratch->asked[w->asked_count++] = member;
+    if (m->open && m->hidden && !w->whole)
+        return;
     intersect(w, m);
     drop_behind(w, first);
     inside = !m->patch && !m->open && (w->found.count - first) & 1;
@@ -461,7 +465,7 @@ void csg_traversal_begin(csg_traversal *w, const pov_hits *hits, bool exact)
     w->found.user = hits->user;
     w->found.scratch = hits->scratch;
     w->applied = w->asked_count = w->near_count = 0;
-    w->unsure = w->missed = false;
+    w->unsure = w->missed = w->grazes = false;
     memcpy(s->states, t->outside, t->node_count * sizeof *s->states);
     /* Others may miss the tree, and need not ask whether points are inside. */
     test_endless(w, false, fmin(w->leave, hits->tmax + hits->slack));

@@ -19,6 +19,7 @@ typedef struct csg_traversal {
     uint32_t asked_count, near_count;
     bool unsure;                 /* doubles cannot order them */
     bool missed;                 /* the ray is never inside a member that the tree is within */
+    bool whole, grazes;          /* whole: open clips are asked for their crossings; else grazes: one of them would have to be */
     double enter, leave;         /* of the tree's box; without one, 0 and infinity */
     pov_vec3 inverse;            /* 1 / direction, by component */
     double dir, size;            /* largest component of the direction; and of the coordinates involved */

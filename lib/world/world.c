@@ -46,10 +46,13 @@ static uint32_t solid_leaf(const world *w, const compile_state *f, uint32_t obje
     return POV_NO_OWNER;
 }
 
-/* An inverse solid's inside is all but its box. */
+/* An inverse solid's inside is all but its box, and that of a tree may reach beyond what shows. */
 static void box_around(const compile_state *f, uint32_t object, bool finite, dielectric *m)
 {
-    m->boxed = finite && !(compile_leaf(f, object)->flags & LEAF_INVERSE);
+    const uint32_t leaves = (uint32_t)f->model->leaves.count;
+    const bool is_endless = object >= leaves && !f->trees.items[object - leaves].boxed;
+
+    m->boxed = finite && !is_endless && !(compile_leaf(f, object)->flags & LEAF_INVERSE);
     if (m->boxed)
         compile_box(f, object, &m->box);
 }

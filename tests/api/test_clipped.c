@@ -93,10 +93,64 @@ static void a_thin_open_surface_is_clipped_alike_by_small_and_large_ones(void **
     }
 }
 
+/* What is inside a solid is the same whether its ends are open or closed, and a clip shows neither: one is asked for what it holds where
+ * others are crossed, the other for its own crossings. */
+static void a_clip_with_gaps_is_like_a_closed_one(void **state)
+{
+    static const char *const objects[] = { "sphere { 0, .8 ", "torus { .6, .25 rotate 60*x ", "box { -.6, <.7,.5,.6> rotate 20 ",
+                                           "cylinder { <0,-.7,0>, <0,.7,0>, .7 ", "union { sphere { .3*x, .6 } sphere { -.4*x, .5 } ",
+                                           "difference { box { -.7, .6 } sphere { <.1,.2,-.7>, .6 } ", "quadric { <1,0,-1>, <0,.3,0>, <0,0,.1>, -.1 " };
+    static const char *const clips[] = { "cylinder { -.7*y, .7*y, .7 %s }", "cone { <-.9,-.1,0>, .9, <.8,.1,0>, .2 %s }",
+                                         "cylinder { <.1,.2,-3>, <.2,-.1,3>, .4 %s inverse }", "cylinder { -.5*z, .6*z, .66 %s rotate 40*y }" };
+    static const char *const cameras[] = { "<.3,1.2,-5>", "<.1,.12,.05>", "<-4,.2,3>" };
+
+    (void)state;
+    for (size_t i = 0; i < sizeof objects / sizeof *objects * (sizeof clips / sizeof *clips); i++) {
+        const char *object = objects[i % 7], *camera = cameras[i % 3], *look = i % 2 ? LOOK : GLASS;
+        char open[128], closed[128];
+        float *a, *b;
+
+        snprintf(open, sizeof open, clips[i / 7], "open");
+        snprintf(closed, sizeof closed, clips[i / 7], "");
+        a = draw(object, open, look, camera, false);
+        b = draw(object, closed, look, camera, false);
+        for (int k = 0; k < 3 * WIDE * HIGH; k++)
+            if (!(fabsf(a[k] - b[k]) < 1e-6f))
+                fail_msg("%s by %s from %s: %g at %d, not %g", object, open, camera, (double)a[k], k, (double)b[k]);
+        free(a);
+        free(b);
+    }
+}
+
+static size_t infinite_in(const char *object)
+{
+    pov_context *context = scenes_context();
+    pov_scene *scene = scenes_text(context, object);
+    pov_scene_info info = { .size = sizeof info };
+
+    pov_scene_get_info(scene, &info);
+    pov_scene_destroy(scene);
+    pov_context_destroy(context);
+    return info.infinite_objects;
+}
+
+static void a_height_field_has_its_box_whatever_clips_it(void **state)
+{
+    static const char field[] = "height_field { function 9, 9 { x*y } translate -.5 clipped_by { %s } }";
+    char text[256];
+
+    (void)state;
+    snprintf(text, sizeof text, field, "quadric { <1,0,1>, 0, 0, -.1 }");
+    assert_int_equal(infinite_in(text), 0);
+    assert_int_equal(infinite_in("quadric { <1,0,1>, 0, 0, -.1 clipped_by { height_field { function 9, 9 { x*y } translate -.5 } } }"), 1);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = { cmocka_unit_test(one_clip_is_like_several), cmocka_unit_test(the_size_of_a_scene_changes_nothing),
-                                        cmocka_unit_test(a_thin_open_surface_is_clipped_alike_by_small_and_large_ones) };
+                                        cmocka_unit_test(a_thin_open_surface_is_clipped_alike_by_small_and_large_ones),
+                                        cmocka_unit_test(a_clip_with_gaps_is_like_a_closed_one),
+                                        cmocka_unit_test(a_height_field_has_its_box_whatever_clips_it) };
 
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
