@@ -5,7 +5,7 @@
 #include "shade/film.h"
 #include "shade/interface.h"
 #include "shade/photons.h"
-#include "shade/refract.h"
+#include "shade/scatter_rays.h"
 #include "shade/spawn.h"
 #include "shade/spectrum.h"
 
@@ -27,13 +27,6 @@ static inline coefficient product(const coefficient *a, const coefficient *b)
     return out;
 }
 
-/* Limits that cut rays off, and the numbers of rays cut off. */
-typedef struct limits {
-    int level, straight_level;   /* rays that go straight on keep their level */
-    float weight;
-    uint64_t cut_depth, cut_weight;
-} limits;
-
 /* Does a path that continues from p with this factor pass the limits? The depth is tested first, so that a ray is
  * counted once. */
 static inline bool passes_cutoff(limits *l, const path *p, const coefficient *factor, int level)
@@ -49,21 +42,7 @@ static inline bool passes_cutoff(limits *l, const path *p, const coefficient *fa
     return true;
 }
 
-/* What few scenes have: interiors of these kinds, fog, alpha, rays, not photons, that do not see all surfaces. Loops are compiled for
- * none of these, too. */
-typedef struct rarities { bool fading, dispersion, dims, alpha, hidden; } rarities;
-
 static inline bool is_rare(rarities r) { return r.fading || r.dispersion || r.dims || r.alpha || r.hidden; }
-
-/* Rays that continue from a batch's surfaces: source, targets, and limits. */
-typedef struct scattering {
-    shade_context *context;
-    const surfaces *on;
-    batch_queue *queue;
-    limits limits;
-    rarities has;
-    uint64_t reflected, transmitted;   /* numbers of them */
-} scattering;
 
 /* ---- reflected rays ---- */
 
@@ -221,15 +200,6 @@ static inline path *transmit(scattering *to, rarities has, const surface *s, uin
         out->zero_steps = (uint16_t)zero_steps;
     return out;
 }
-
-/* Interfaces that refracted rays cross, and their new directions. */
-typedef struct interfaces {
-    refraction_lanes to;
-    const vec_lanes *normal;     /* facing the ray's start: the shading normals, unless a perturbed one does not */
-    const double *cosine;
-    vec_lanes facing;            /* memory for these */
-    double sizes[BATCH_MAX];
-} interfaces;
 
 static void face_rays(const geometry *g, uint32_t n, interfaces *p)
 {
@@ -501,148 +471,33 @@ void scatter(shade_context *c, surfaces *on, batch_queue *q)
     count(&to);
 }
 
-/* ---- layers ---- */
+/* ---- for layers ---- */
 
-/* The rays of one hit, by layer from `first` to `end`: coefficients that are 0 where rays were added to an earlier one. */
-typedef struct hit_rays {
-    scattering *to;
-    const layers *from;
-    const interfaces *crossed;   /* NULL: nothing is refracted */
-    uint32_t first, end;
-    coefficient reflected[BATCH_MAX], through[BATCH_MAX], shut[BATCH_MAX];
-    bool reflects[BATCH_MAX], goes_on[BATCH_MAX], is_dark[BATCH_MAX], is_shut[BATCH_MAX];
-    uint32_t reflected_count, open;      /* at most so many reflect or are shut, and go on */
-} hit_rays;
+scattering scatter_begin(shade_context *c, const surfaces *on, batch_queue *q) { return begin(c, on, q); }
 
-static bool is_same_normal(const geometry *g, uint32_t a, uint32_t b)
+void scatter_count(const scattering *to) { count(to); }
+
+void scatter_reflect(scattering *to, const surface *s, uint32_t lane, const coefficient *by) { reflect(to, to->has, s, lane, by); }
+
+void scatter_reflect_power(scattering *to, const surface *s, uint32_t lane, const coefficient *by, float exponent)
 {
-    return g->bent.x[a] == g->bent.x[b] && g->bent.y[a] == g->bent.y[b] && g->bent.z[a] == g->bent.z[b];
+    reflect_power(to, s, lane, by, exponent);
 }
 
-static float exponent_of(const layers *l, uint32_t i) { return l->on.at[i].appearance->finish->reflection.exponent; }
+void scatter_reflect_inside(scattering *to, const surface *s, uint32_t lane, const coefficient *by) { reflect_inside(to, s, lane, by); }
 
-/* Total reflection takes the place of what a stack, from `top` to `last`, reflects with the same normal. */
-static void shut_stack(hit_rays *f, uint32_t top, uint32_t last)
+void scatter_transmit(scattering *to, const surface *s, uint32_t lane, const coefficient *by) { transmit(to, to->has, s, lane, by); }
+
+void scatter_cross(scattering *to, const interfaces *p, const surface *s, uint32_t lane, const coefficient *by)
 {
-    const layers *l = f->from;
-
-    for (uint32_t i = top; i <= last; i++)
-        f->reflects[i] = f->reflects[i] && !is_same_normal(&l->on.geometry, top, i);
-    f->goes_on[top] = false;
-    f->is_shut[top] = true;
-    f->reflected_count++;
-    f->shut[top] = shut_by(f->to, &l->on.at[top], top, &l->of[last].through);
-    f->shut[top].by = colour_scale(f->shut[top].by, l->of[last].share);
+    cross(to, to->has, p, s, lane, by);
 }
 
-/* The ray through a stack. The normal of its upper layer bends it, and that layer's film colours it where it is totally
- * reflected, as in POV-Ray: the ray is kept there. */
-static void find_through(hit_rays *f, uint32_t top, uint32_t last)
+void scatter_find_interfaces(const shade_context *c, surfaces *on, interfaces *p) { find_interfaces(c, on, p); }
+
+bool scatter_is_shut(const scattering *to, const interfaces *p, const surface *s, uint32_t lane) { return is_shut(to, to->has, p, s, lane); }
+
+coefficient scatter_shut_by(const scattering *to, const surface *s, uint32_t lane, const coefficient *filter)
 {
-    const layers *l = f->from;
-    const appearance *a = l->on.at[top].appearance;
-
-    if (!a->transmissive || !l->on.at[last].appearance->transmissive)
-        return;
-    f->goes_on[top] = true;
-    f->open++;
-    f->through[top] = l->of[last].through;
-    f->is_dark[top] = l->of[last].is_dark;
-    if (f->crossed && !a->clear && !f->is_dark[top] && is_shut(f->to, f->to->has, f->crossed, &l->on.at[top], top))
-        shut_stack(f, top, last);
-}
-
-static void find_rays(hit_rays *f)
-{
-    const layers *l = f->from;
-    uint32_t top = f->first;
-
-    f->reflected_count = f->open = 0;
-    for (uint32_t i = f->first; i < f->end; i++) {
-        f->reflects[i] = l->on.at[i].appearance->reflective;
-        f->reflected_count += f->reflects[i];
-        f->reflected[i] = l->of[i].reflection;
-        f->is_shut[i] = f->goes_on[i] = false;
-        if (l->of[i].first)
-            top = i;
-        if (l->of[i].last)
-            find_through(f, top, i);
-    }
-}
-
-/* Add later rays of the same direction to one. Those of different weights are cut off at different levels, so they are not
- * one. */
-static void merge(const geometry *g, uint32_t end, uint32_t i, bool *is, coefficient *by, bool any_normal)
-{
-    for (uint32_t k = i + 1; is[i] && k < end; k++) {
-        if (!is[k] || by[k].weight != by[i].weight || !(any_normal || is_same_normal(g, i, k)))
-            continue;
-        is[k] = false;
-        by[i].by = colour_add(by[i].by, by[k].by);
-    }
-}
-
-/* Mirrors with an exponent are not joined to others. */
-static void send_reflected(hit_rays *f)
-{
-    const layers *l = f->from;
-    bool plain[BATCH_MAX];
-
-    for (uint32_t i = f->first; i < f->end; i++)
-        plain[i] = f->reflects[i] && exponent_of(l, i) == 1.0f;
-    for (uint32_t i = f->first; i < f->end; i++) {
-        if (!f->reflects[i] && !f->is_shut[i])
-            continue;
-        if (f->reflected_count > 1) {
-            merge(&l->on.geometry, f->end, i, plain, f->reflected, false);
-            merge(&l->on.geometry, f->end, i, f->is_shut, f->shut, false);
-        }
-        if (plain[i])
-            reflect(f->to, f->to->has, &l->on.at[i], i, &f->reflected[i]);
-        else if (f->reflects[i] && exponent_of(l, i) != 1.0f)
-            reflect_power(f->to, &l->on.at[i], i, &f->reflected[i], exponent_of(l, i));
-        if (f->is_shut[i])
-            reflect_inside(f->to, &l->on.at[i], i, &f->shut[i]);
-    }
-}
-
-static void send_through(hit_rays *f)
-{
-    const layers *l = f->from;
-
-    for (uint32_t i = f->first; i < f->end; i++) {
-        const surface *s = &l->on.at[i];
-
-        if (!f->goes_on[i] || f->is_dark[i])
-            continue;
-        merge(&l->on.geometry, f->end, i, f->goes_on, f->through, !f->crossed);
-        if (f->crossed && !s->appearance->clear)
-            cross(f->to, f->to->has, f->crossed, s, i, &f->through[i]);
-        else
-            transmit(f->to, f->to->has, s, i, &f->through[i]);
-    }
-}
-
-void scatter_layers(shade_context *c, layers *l, batch_queue *q)
-{
-    const bool refraction = c->scene->plan->refraction;
-    scattering to = begin(c, &l->on, q);
-    interfaces crossed;
-    hit_rays f;
-
-    f.to = &to;
-    f.from = l;
-    f.crossed = refraction ? &crossed : NULL;
-    if (refraction)
-        find_interfaces(c, &l->on, &crossed);
-    for (f.first = 0; f.first < l->on.count; f.first = f.end) {
-        for (f.end = f.first + 1; f.end < l->on.count && l->of[f.end].of == l->of[f.first].of; f.end++)
-            ;
-        find_rays(&f);
-        if (f.reflected_count > 0)
-            send_reflected(&f);
-        if (f.open > 0)
-            send_through(&f);
-    }
-    count(&to);
+    return shut_by(to, s, lane, filter);
 }
