@@ -153,7 +153,7 @@ static int64_t whole_of(double power, double most)
 }
 
 /* kinds: what some surface has; the rest is not asked for. */
-static void set_rich(rich_finishes *r, uint32_t i, const appearance *a, uint32_t kinds, const model *m, pov_vec3 point)
+static void set_rich(rich_finishes *r, uint32_t i, const appearance *a, uint32_t kinds)
 {
     const finish *f = a->finish;
     const bool both = a->material->double_illuminate;
@@ -171,12 +171,22 @@ static void set_rich(rich_finishes *r, uint32_t i, const appearance *a, uint32_t
     }
     if (kinds & FINISH_METAL)
         r->metallic[i] = f->metallic;
-    if (kinds & FINISH_IRID) {
+    if (kinds & FINISH_IRID)
         r->irid[i] = f->irid.amount;
-        r->thickness[i] = f->irid.amount != 0.0f ? film_thickness(m, f, point) : 0.0;
-    }
     if (kinds & FINISH_CRAND)
         r->crand[i] = f->crand;
+}
+
+static void set_films(finishes *f, const model *m)
+{
+    films all;
+
+    all.count = 0;
+    for (uint32_t k = 0; k < f->count; k++)
+        films_add(&all, stack_level(f->on->at[f->lit[k]].appearance, f->level)->finish, lanes_at(&f->on->geometry.to.point, f->lit[k]));
+    films_find(&all, m);
+    for (uint32_t k = 0; k < f->count; k++)
+        f->rich.thickness[f->lit[k]] = all.of[k]->irid.amount != 0.0f ? all.thickness[k] : 0.0;
 }
 
 /* What all surfaces look like, where that is the same constant appearance that has no film; or NULL. */
@@ -190,10 +200,8 @@ static const appearance *common(const surfaces *on, uint32_t level)
 static int64_t alike(int64_t some, int64_t all) { return some == all && some < 64 ? some : 0; }
 
 /* Batches of one appearance often follow one another: then lanes are as they were. */
-static void begin_common(finishes *f, const model *m, const surfaces *on, const appearance *a)
+static void begin_common(finishes *f, const surfaces *on, const appearance *a)
 {
-    const pov_vec3 nowhere = { 0.0, 0.0, 0.0 };
-
     f->count = a->lit ? on->count : 0;
     for (uint32_t k = 0; k < f->count; k++)
         f->lit[k] = (uint8_t)k;
@@ -206,7 +214,7 @@ static void begin_common(finishes *f, const model *m, const surfaces *on, const 
     for (uint32_t i = f->held_count; i < f->count; i++) {
         set_finish(f, i, a);
         if (a->kinds)
-            set_rich(&f->rich, i, a, a->kinds, m, nowhere);
+            set_rich(&f->rich, i, a, a->kinds);
     }
     f->held_count = f->count > f->held_count ? f->count : f->held_count;
 }
@@ -220,7 +228,7 @@ void brdf_begin(finishes *f, const model *m, const surfaces *on, uint32_t level)
     f->on = on;
     f->level = level;
     if (same) {
-        begin_common(f, m, on, same);
+        begin_common(f, on, same);
         return;
     }
     f->held = NULL;
@@ -241,6 +249,7 @@ void brdf_begin(finishes *f, const model *m, const surfaces *on, uint32_t level)
     f->count = count;
     f->kinds = kinds;
     for (uint32_t k = 0; kinds && k < count; k++)
-        set_rich(&f->rich, f->lit[k], stack_level(on->at[f->lit[k]].appearance, level), kinds, m,
-                 lanes_at(&on->geometry.to.point, f->lit[k]));
+        set_rich(&f->rich, f->lit[k], stack_level(on->at[f->lit[k]].appearance, level), kinds);
+    if (kinds & FINISH_IRID)
+        set_films(f, m);
 }

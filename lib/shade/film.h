@@ -2,11 +2,26 @@
 #ifndef SHADE_FILM_H
 #define SHADE_FILM_H
 
+#include "base/lanes.h"
 #include "model/model.h"
 
-/* Turbulence makes a film thinner and thicker, as POV-Ray has it, in the space of the world. */
+/* Films side by side. Turbulence makes a film thinner and thicker, as POV-Ray has it, in the space of the world. */
+typedef struct films {
+    uint32_t count;
+    const finish *of[LANES_MAX];
+    vec_lanes at;
+    double thickness[LANES_MAX];
+} films;
+
+static inline void films_add(films *f, const finish *of, pov_vec3 point)
+{
+    f->of[f->count] = of;
+    lanes_put(&f->at, f->count++, point);
+}
+
+void films_find(films *f, const model *m);
 double film_thickness(const model *m, const finish *f, pov_vec3 point);
 /* What a film makes of the light that it mirrors: the sum of the cosines to its normal of the ways to and from it. */
-colour film_mirrored(const model *m, const finish *f, double cosines, pov_vec3 point);
+colour film_mirrored(const model *m, const finish *f, double thickness, double cosines);
 
 #endif

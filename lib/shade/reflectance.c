@@ -193,12 +193,14 @@ static bool begin(const shade_context *c, reflectances *m, surfaces *s)
     return same;
 }
 
+/* Is the light that it mirrors filmed here? */
+static bool is_filmed(const appearance *a) { return a->finish->irid.amount != 0.0f && !a->powered; }
+
 /* through: the factor of the filter. */
 static void set(const shade_context *c, surfaces *s, uint32_t lane, coefficient mirrored, float through)
 {
     const appearance *a = s->at[lane].appearance;
     const finish *f = a->finish;
-    const geometry *g = &s->geometry;
     const colour by = mirrored.by;
     onward out = a->onward;
     colour filter = out.filter.by;
@@ -208,8 +210,6 @@ static void set(const shade_context *c, surfaces *s, uint32_t lane, coefficient 
     if (f->conserve_energy || through != 1.0f)
         onward_set_filter(&out, c->scene->model, colour_scale(filter, through));
     s->reflection[lane] = mirrored;
-    if (f->irid.amount != 0.0f && !a->powered)
-        s->reflection[lane].by = colour_mul(by, film_mirrored(c->scene->model, f, geometry_cosines(g, lane), lanes_at(&g->to.point, lane)));
     s->filter[lane] = out.filter;
     s->dark[lane] = out.dark;
 }
@@ -266,11 +266,30 @@ static void set_alike(const model *m, surfaces *s, const appearance *a, float th
     }
 }
 
+/* Of lanes whose reflection is set. */
+static void add_films(const shade_context *c, surfaces *s, const uint8_t *lanes, uint32_t n)
+{
+    const geometry *g = &s->geometry;
+    films all;
+
+    all.count = 0;
+    for (uint32_t k = 0; k < n; k++)
+        films_add(&all, s->at[lanes[k]].appearance->finish, lanes_at(&g->to.point, lanes[k]));
+    films_find(&all, c->scene->model);
+    for (uint32_t k = 0; k < n; k++) {
+        colour *by = &s->reflection[lanes[k]].by;
+
+        *by = colour_mul(*by, film_mirrored(c->scene->model, all.of[k], all.thickness[k], geometry_cosines(g, lanes[k])));
+    }
+}
+
 /* layered: the filter's factor is that of a whole stack. */
 static void set_all(const shade_context *c, surfaces *s, bool layered)
 {
     reflectances *m = &s->reflectances;
     const bool same = begin(c, m, s);
+    uint8_t filmed[BATCH_MAX];
+    uint32_t films_count = 0;
 
     find_all(m, c->scene->model);
     if (same && m->held->finish->irid.amount == 0.0f) {
@@ -282,7 +301,11 @@ static void set_all(const shade_context *c, surfaces *s, bool layered)
         const uint32_t i = same ? k : m->of[k];
 
         set(c, s, i, mirrored, layered ? 1.0f : s->at[i].appearance->finish->refraction);
+        if (is_filmed(s->at[i].appearance))
+            filmed[films_count++] = (uint8_t)i;
     }
+    if (films_count > 0)
+        add_films(c, s, filmed, films_count);
 }
 
 static void set_any(const shade_context *c, surfaces *s, bool layered)

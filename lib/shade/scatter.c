@@ -92,10 +92,12 @@ static inline void reflect(scattering *to, rarities has, const surface *s, uint3
 static colour filmed(const scattering *to, const surface *s, uint32_t lane)
 {
     const finish *f = s->appearance->finish;
+    const model *m = to->context->scene->model;
+    const geometry *g = &to->on->geometry;
 
     if (f->irid.amount == 0.0f)
         return colour_of(1.0f, 1.0f, 1.0f);
-    return film_mirrored(to->context->scene->model, f, geometry_cosines(&to->on->geometry, lane), lanes_at(&to->on->geometry.to.point, lane));
+    return film_mirrored(m, f, film_thickness(m, f, lanes_at(&g->to.point, lane)), geometry_cosines(g, lane));
 }
 
 /* The same where the colour that is seen in the mirror, through its film, is raised to a power. */
