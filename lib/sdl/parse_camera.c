@@ -18,6 +18,15 @@ void parse_camera_defaults(camera_parsed *c)
     c->up = c->sky = pov_vec3_of(0.0, 1.0, 0.0);
 }
 
+/* Before version 3.5 look_at, angle and orthographic act where they stand, on what was written so far, and what comes later
+ * replaces what they made. */
+static bool acts_at_once(double version)
+{
+    return version > 0.0 && version < 3.5;
+}
+
+static void act(pov_reader *in, camera_parsed *c, keyword_id keyword);
+
 static void read_location(pov_reader *in, void *self, keyword_id keyword)
 {
     (void)keyword;
@@ -28,10 +37,10 @@ static void read_look_at(pov_reader *in, void *self, keyword_id keyword)
 {
     camera_parsed *c = self;
 
-    (void)keyword;
     c->look_at = value_vector(in);
     c->look_at_place = in->value;
     c->has_look_at = true;
+    act(in, c, keyword);
 }
 
 /* Of a spherical camera there may be two, of an orthographic one none: it sees what a perspective one would. */
@@ -39,7 +48,6 @@ static void read_angle(pov_reader *in, void *self, keyword_id keyword)
 {
     camera_parsed *c = self;
 
-    (void)keyword;
     if (c->type == POV_CAMERA_ORTHOGRAPHIC && !value_follows(in)) {
         c->is_sized_by_distance = true;
         return;
@@ -50,6 +58,7 @@ static void read_angle(pov_reader *in, void *self, keyword_id keyword)
     state_accept(in, ',');
     if (value_follows(in))
         c->angle_upwards = value_number(in);
+    act(in, c, keyword);
 }
 
 static void read_axis(pov_reader *in, void *self, keyword_id keyword)
@@ -110,6 +119,13 @@ static void check_angle(pov_reader *in, camera_parsed *c)
     report_fail(in, &c->angle_place, POV_E_SYNTAX, "the angle of a camera lies between 0 and 180 degrees");
 }
 
+static bool check_look_at(pov_reader *in, const camera_parsed *c)
+{
+    if (!in->failed && c->has_look_at && pov_largest(pov_sub(c->look_at, c->location)) == 0.0)
+        report_fail(in, &c->look_at_place, POV_E_SYNTAX, "the camera cannot look at its own location");
+    return !in->failed;
+}
+
 static void read_mesh_camera(pov_reader *in, void *self, keyword_id keyword)
 {
     (void)keyword;
@@ -142,6 +158,7 @@ static void read_type(pov_reader *in, void *self, keyword_id keyword)
     for (size_t i = 0; i < sizeof types / sizeof types[0]; i++)
         if (types[i].keyword == keyword)
             c->type = types[i].type;
+    act(in, c, keyword);
 }
 
 /* ---- focal blur ---- */
@@ -187,8 +204,7 @@ void parse_camera(pov_reader *in, camera_parsed *c)
     items_block(in, &list, c);
     c->version = in->version;
     check_angle(in, c);
-    if (!in->failed && c->has_look_at && pov_largest(pov_sub(c->look_at, c->location)) == 0.0)
-        report_fail(in, &c->look_at_place, POV_E_SYNTAX, "the camera cannot look at its own location");
+    check_look_at(in, c);
 }
 
 /* ---- the frame ---- */
@@ -269,8 +285,7 @@ static camera_frame povray_frame(const camera_parsed *c)
 }
 
 /* Parallel rays see a part of the scene as large as right and up; unless these were written, and with an `angle` that has no
- * number, as large as the picture of a perspective camera is where this one looks. Before version 3.5 neither distance nor
- * angle counted. */
+ * number, as large as the picture of a perspective camera is where this one looks. */
 static void size_orthographic(const camera_parsed *c, camera_frame *f)
 {
     const double half_degree = 3.14159265358979323846 / 360.0;
@@ -278,14 +293,56 @@ static void size_orthographic(const camera_parsed *c, camera_frame *f)
     const double distance = length(pov_sub(to, c->location));
     double size = 1.0;
 
-    if (c->version > 0.0 && c->version < 3.5)
-        return;
-    if (c->angle > 0.0)
+    if (acts_at_once(c->version))
+        size = distance / length(f->d);
+    else if (c->angle > 0.0)
         size = 2.0 * distance * tan(c->angle * half_degree) / length(f->r);
     else if (!c->has_size || c->is_sized_by_distance)
         size = distance / length(f->d);
     f->r = pov_scale(f->r, size);
     f->u = pov_scale(f->u, size);
+}
+
+static void set_distance(const camera_parsed *c, camera_frame *f)
+{
+    const double half_degree = 3.14159265358979323846 / 360.0;
+
+    f->d = pov_scale(pov_unit(f->d), 0.5 * length(c->right) / tan(c->angle * half_degree));
+}
+
+static camera_frame frame_of(const camera_parsed *c, bool is_povray)
+{
+    camera_frame f = { c->direction, c->right, c->up };
+
+    if (acts_at_once(c->version))
+        return f;
+    f = is_povray ? povray_frame(c) : course_frame(c);
+    if (c->type == POV_CAMERA_ORTHOGRAPHIC)
+        size_orthographic(c, &f);
+    else if (c->type == POV_CAMERA_PERSPECTIVE && c->angle > 0.0)
+        set_distance(c, &f);
+    return f;
+}
+
+static void act(pov_reader *in, camera_parsed *c, keyword_id keyword)
+{
+    camera_frame f;
+
+    c->version = in->version;
+    if (in->failed || !acts_at_once(c->version))
+        return;
+    if (pov_largest(c->right) == 0.0)
+        c->right = pov_vec3_of(1.33, 0.0, 0.0);
+    f = (camera_frame){ c->direction, c->right, c->up };
+    if (keyword == KEYWORD_LOOK_AT && check_look_at(in, c))
+        f = povray_frame(c);
+    else if (keyword == KEYWORD_ANGLE && c->angle > 0.0 && c->angle < 180.0)
+        set_distance(c, &f);
+    else if (keyword == KEYWORD_ORTHOGRAPHIC)
+        size_orthographic(c, &f);
+    c->direction = f.d;
+    c->right = f.r;
+    c->up = f.u;
 }
 
 static pov_vec3 turn(const pov_affine *map, pov_vec3 v)
@@ -350,7 +407,6 @@ static void set_mesh(const camera_parsed *c, model *m)
 
 void parse_camera_finish(pov_reader *in)
 {
-    const double pi = 3.14159265358979323846;
     bool is_povray = in->model->dialect == POV_DIALECT_POVRAY;
     camera_parsed c = in->camera;
     pov_camera *out = &in->model->camera;
@@ -363,11 +419,7 @@ void parse_camera_finish(pov_reader *in)
     }
     if (pov_largest(c.right) == 0.0)
         c.right = pov_vec3_of(is_povray ? 1.33 : 1.33333, 0.0, 0.0);
-    f = is_povray ? povray_frame(&c) : course_frame(&c);
-    if (c.type == POV_CAMERA_ORTHOGRAPHIC)
-        size_orthographic(&c, &f);
-    else if (c.type == POV_CAMERA_PERSPECTIVE && c.angle > 0.0)
-        f.d = pov_scale(pov_unit(f.d), 0.5 * length(c.right) / tan(c.angle * (pi / 360.0)));
+    f = frame_of(&c, is_povray);
     out->size = sizeof *out;
     out->type = c.type;
     set_angles(&c, out);

@@ -204,6 +204,28 @@ static void an_orthographic_camera_sees_as_much_as_the_language_says(void **stat
     assert_int_equal(read_camera("camera { orthographic perspective }", POV_DIALECT_POVRAY).type, POV_CAMERA_PERSPECTIVE);
 }
 
+/* POV-Ray's pictures of a plane whose colours are its coordinates. */
+static void before_version_3_5_a_camera_is_read_in_its_order(void **state)
+{
+    const double t = tan(3.14159265358979323846 / 7.2);
+    pov_camera c;
+
+    (void)state;
+    c = read_camera("#version 3.1; camera { angle 50 direction 2*z location -6*z look_at 0 }", POV_DIALECT_AUTO);
+    assert_frame(c, V(0, 0, 2), V(1.33, 0, 0), V(0, 1, 0));
+    c = read_camera("#version 3.1; camera { angle 50 right 3*x location -6*z look_at 0 }", POV_DIALECT_AUTO);
+    assert_frame(c, V(0, 0, .665 / t), V(3, 0, 0), V(0, 1, 0));
+    c = read_camera("#version 3.1; camera { location <6, 0, 0> look_at 0 direction 2*z up 3*y }", POV_DIALECT_AUTO);
+    assert_frame(c, V(0, 0, 2), V(0, 0, 1.33), V(0, 3, 0));
+    c = read_camera("#version 3.5; camera { location <6, 0, 0> look_at 0 direction 2*z up 3*y }", POV_DIALECT_AUTO);
+    assert_frame(c, V(-2, 0, 0), V(0, 0, 1.33), V(0, 3, 0));
+    assert_size("#version 3.1; camera { orthographic location -6*z look_at 0 }", 1.33, 1);
+    assert_size("#version 3.1; camera { location -6*z orthographic look_at 0 }", 1.33 * 7, 7);
+    assert_size("#version 3.1; camera { location -6*z angle 50 look_at 0 orthographic }", 12 * t, 12 * t / 1.33);
+    assert_size("#version 3.1; camera { location -6*z look_at 0 orthographic right 3*x up 2*y }", 3, 2);
+    assert_size("#version 3.1; camera { right 4*x up 3*y location -6*z orthographic }", 28, 21);
+}
+
 static void of_two_numbers_of_blur_samples_the_last_counts(void **state)
 {
     (void)state;
@@ -227,6 +249,7 @@ int main(void)
         cmocka_unit_test(transformations_come_last_wherever_they_stand),
         cmocka_unit_test(far_and_small_views_keep_their_direction),
         cmocka_unit_test(an_orthographic_camera_sees_as_much_as_the_language_says),
+        cmocka_unit_test(before_version_3_5_a_camera_is_read_in_its_order),
         cmocka_unit_test(of_two_numbers_of_blur_samples_the_last_counts),
         cmocka_unit_test(the_last_camera_wins_with_a_warning),
     };
