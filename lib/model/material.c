@@ -37,3 +37,11 @@ bool material_equal(const material *a, const material *b)
            a->filter == b->filter && a->transmit == b->transmit && finish_equal(&a->finish, &b->finish) &&
            interior_equal(&a->interior, &b->interior) && a->double_illuminate == b->double_illuminate;
 }
+
+bool material_is_clear(const material *m)
+{
+    const finish *f = &m->finish;
+
+    return !m->texture && !m->inside && m->filter + m->transmit == 1.0f && colour_equal(material_filter(m), colour_of(1.0f, 1.0f, 1.0f)) &&
+           !m->interior.given && !m->interior.media && !finish_is_glossy(f) && !finish_is_mirror(f) && !finish_is_angular(f) && f->crand == 0.0f;
+}

@@ -24,6 +24,9 @@ void material_set_pigment(material *m, pigment p);
 /* Set textures, which may be NULL as above, and pigment and finish after them. */
 void material_set_textures(material *m, const texture *outside, const texture *inside);
 
+/* Do rays and light pass it as if nothing were there? */
+bool material_is_clear(const material *m);
+
 static inline bool material_is_transparent(const material *m) { return m->filter != 0.0f || m->transmit != 0.0f; }
 
 /* Factor of light that passes the surface. */

@@ -85,7 +85,7 @@ static bool add_member(const asking *a, const csg_tree *t, const csg_member *m)
     blocker b = { .box = m->boxed ? m->box : t->box };
     const bool is_plane = !m->xform && !m->boxed && find_plane(m->shape, m->instance, &b.plane);
 
-    if (m->hidden || m->absent || is_left(a, m->shape, m->leaf, is_plane))
+    if (csg_is_unseen(m) || m->absent || is_left(a, m->shape, m->leaf, is_plane))
         return true;
     if (is_plane)
         return (t->boxed && !shaft_may_overlap(a->in, &t->box)) || add_plane(a, &b);

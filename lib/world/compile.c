@@ -473,7 +473,7 @@ static uint16_t mark_of(const survey *s, const shape_class *shape)
     return (uint16_t)(i > 0 ? COMPILE_KINDS * (i - 1) : 0);
 }
 
-pov_status compile_objects(compile_state *f, const model *m, world *const *parts, bool use_blocks, int threads,
+pov_status compile_objects(compile_state *f, const model *m, const plan *needs, world *const *parts, bool use_blocks, int threads,
                            pov_error *err)
 {
     survey s = { f, { NULL, 0, 0 }, NULL, 0, use_blocks };
@@ -484,6 +484,7 @@ pov_status compile_objects(compile_state *f, const model *m, world *const *parts
     f->env = m->env;
     f->model = m;
     f->use_blocks = use_blocks;
+    f->clear_members = needs->clear_members;
     f->located = plan_attenuates(m);
     f->parts = parts;
     f->part_count = m->parts.count;

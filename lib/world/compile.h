@@ -40,6 +40,7 @@ typedef struct compile_state {
     model *last;                 /* the same, if no other world will be made of it; NULL: it must stay unchanged */
     bool use_blocks;
     bool located;                /* transmittance of light depends on where it crosses any surface */
+    bool clear_members;          /* as the plan has it */
     bool large_resident;         /* see compile_is_resident() */
     int threads;
     arena *staged;               /* by thread: copies that have absorbed a transformation, until leaf batches take
@@ -81,7 +82,7 @@ static inline bool compile_is_resident(const compile_state *f, const shape_class
 
 /* use_blocks: whether shapes may share blocks; parts: worlds of the model's parts. On failure call compile_free() as
  * well. */
-pov_status compile_objects(compile_state *f, const model *m, world *const *parts, bool use_blocks, int threads,
+pov_status compile_objects(compile_state *f, const model *m, const plan *needs, world *const *parts, bool use_blocks, int threads,
                            pov_error *err);
 /* The number of objects, trees and copies included, and the record of one. */
 static inline uint32_t compile_count(const compile_state *f)

@@ -66,7 +66,7 @@ static unsigned note_members(compile_state *f, const csg_tree *t)
         object_info *info = &f->objects_info[t->members[i].leaf];
 
         info->inverse = t->members[i].turned;
-        if (t->members[i].hidden)
+        if (csg_is_unseen(&t->members[i]))
             continue;
         opaque &= info->slot;
         casts |= info->slot & COMPILE_CASTS;
@@ -100,7 +100,7 @@ static void add_tree(compile_state *f, uint32_t which, uint16_t mark)
 bool compile_add_trees(compile_state *f, uint16_t mark)
 {
     const model *m = f->model;
-    const csg_source source = { extent_of, hull_of, f };
+    const csg_source source = { extent_of, hull_of, f, f->clear_members };
 
     if (m->trees.count == 0)
         return true;

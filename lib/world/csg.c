@@ -146,6 +146,21 @@ static void count_nodes(const model *m, node_ref node, uint32_t *nodes, uint32_t
         count_nodes(m, m->children.items[g->child + i], nodes, children);
 }
 
+/* A tree of which nothing is seen stays one that rays cross. */
+static void find_clear(csg_tree *t, const model *m)
+{
+    bool seen = false;
+
+    for (uint32_t i = 0; i < t->member_count; i++) {
+        const leaf_node *o = &m->leaves.items[t->members[i].leaf];
+
+        t->members[i].clear = !(o->flags & LEAF_CUTAWAY) && material_is_clear(&m->materials.items[o->material]);
+        seen = seen || !csg_is_unseen(&t->members[i]);
+    }
+    for (uint32_t i = 0; i < t->member_count; i++)
+        t->members[i].clear = t->members[i].clear && seen;
+}
+
 static bool make_tree(csg_tree *t, const model *m, node_ref root)
 {
     const group_node *g = group_at(m, root);
@@ -180,6 +195,8 @@ bool csg_make(csg_list *out, const model *m, const csg_source *source)
             out->count++;
             return false;
         }
+        if (source->clear_members)
+            find_clear(t, m);
         if (!csg_find_bounds(t, m->env, source)) {
             out->count++;
             return false;

@@ -41,6 +41,7 @@ typedef struct csg_member {
     bool needed;                 /* the tree is within it */
     bool absent;                 /* it is far from the tree, and rays are always outside */
     bool hidden;                 /* it clips: its own surface is not visible */
+    bool clear;                  /* its surface is not visible, but has part in all else */
     bool open;                   /* its surface has gaps: only inside() tells whether a ray is inside */
     bool patch;                  /* a surface without inside: visible where the tree's value would change by entering it */
     pov_box box;
@@ -79,7 +80,7 @@ typedef struct csg_turned { double all, of_axis; pov_vec3 axis; csg_turned_kind 
 
 typedef struct csg_outline {
     uint32_t count, member[CSG_COLUMNS];     /* columns: of chords theirs, else the members that are not absent */
-    uint32_t hidden, bare;       /* columns, as bits: they clip; they are quadrics without slabs, of any kind */
+    uint32_t hidden, bare;       /* columns, as bits: they are not seen; they are quadrics without slabs, of any kind */
     bool endless;                /* the tree has no box: errors are in parts of distances */
     uint8_t *values;             /* of the tree, by the columns that hold a point, as bits, where there are few; or NULL */
     uint64_t shows[CSG_TABLE_COLUMNS], grows[CSG_TABLE_COLUMNS];   /* then, by column and by the others that hold a point, as the number of
@@ -130,6 +131,9 @@ typedef struct csg_list csg_list;
 typedef struct csg_root { const csg_tree *tree; } csg_root;
 extern const shape_class csg_class;
 
+/* Is nothing of it ever seen? */
+static inline bool csg_is_unseen(const csg_member *m) { return m->hidden || m->clear; }
+
 /* Data of a member that a tree needs before the member has an instance: the box of its surface, and whether its inside is in it; or the
  * half-space that it is. */
 typedef struct csg_extent { bool has_box, boxed, is_half_space; pov_box box; pov_half_space half_space; } csg_extent;
@@ -138,6 +142,7 @@ typedef struct csg_source {
     void (*extent)(const void *user, uint32_t leaf, csg_extent *out);
     uint32_t (*hull)(const void *user, uint32_t leaf, const half_spaces *within, pov_half_space *out);
     const void *user;
+    bool clear_members;          /* as the plan has it */
 } csg_source;
 
 /* For csg_make(): boxes of the members, which may be moved, and of the tree. */

@@ -27,7 +27,7 @@ typedef struct chord_search {
 
 static bool is_simple(const csg_member *m)
 {
-    return m->boxed && !m->patch && !m->hidden && (m->shape->flags & POV_SHAPE_CONVEX);
+    return m->boxed && !m->patch && !csg_is_unseen(m) && (m->shape->flags & POV_SHAPE_CONVEX);
 }
 
 /* Is a node, or its complement, an intersection of members and complements? Sets `holds` of those that are no complements. */

@@ -26,7 +26,7 @@ static uint32_t find_surface(const csg_tree *t, bool loose)
     uint32_t showing = 0, others = 0, shown = 0, other = 0;
 
     for (uint32_t i = 0; i < t->member_count; i++) {
-        if (!t->members[i].hidden) {
+        if (!csg_is_unseen(&t->members[i])) {
             showing++;
             shown = i;
         }
@@ -38,7 +38,7 @@ static uint32_t find_surface(const csg_tree *t, bool loose)
     return showing == 1 ? shown : others == 1 ? other : t->member_count;
 }
 
-static bool is_surface(const csg_member *m) { return !m->hidden && !m->patch && !m->absent; }
+static bool is_surface(const csg_member *m) { return !csg_is_unseen(m) && !m->patch && !m->absent; }
 
 /* Nothing but intersections? */
 static bool is_intersection(const csg_tree *t, node_ref node)
@@ -66,7 +66,7 @@ static bool find_clips(csg_tree *t, bool loose)
             continue;
         if (!may_clip(&t->members[i], loose))
             return false;
-        found.shown = found.shown || !t->members[i].hidden;
+        found.shown = found.shown || !csg_is_unseen(&t->members[i]);
         found.hollows |= (uint32_t)t->members[i].inverse << found.count;
         found.clip[found.count++] = i;
     }
@@ -249,7 +249,7 @@ static bool report_clip(clip_search *s, pov_hits *hits)
     if (!narrow_all(s, hits) || s->unsure)
         return !s->unsure;
     end = s->enter > 0.0 ? &s->entry : &s->exit;
-    if (csg_member_at(s->w, end)->hidden)
+    if (csg_is_unseen(csg_member_at(s->w, end)))
         return false;
     hits->escalated += s->escalated;
     csg_report(end, s->enter > 0.0, hits);

@@ -239,7 +239,7 @@ static bool pass_point(csg_traversal *w, pov_hits *hits)
     enters = root->value > before;
     at = root->value != before ? owner_of(w, first, end, enters) : find_patch(w, first, end);
     clip(w, first, end, false);
-    if (!at || at->t < w->enter)
+    if (!at || at->t < w->enter || csg_member_at(w, at)->clear)
         return true;
     if (csg_member_at(w, at)->patch)
         enters = (csg_slope(w, at) < 0.0) != csg_member_at(w, at)->turned;

@@ -199,7 +199,7 @@ static bool find_columns(const csg_tree *t, csg_outline *of)
             continue;
         if (m->patch || of->count == CSG_COLUMNS)
             return false;
-        of->hidden |= (uint32_t)m->hidden << of->count;
+        of->hidden |= (uint32_t)csg_is_unseen(m) << of->count;
         of->member[of->count++] = i;
     }
     return !t->empty;

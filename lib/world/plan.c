@@ -127,6 +127,17 @@ bool plan_attenuates(const model *m)
     return any && (m->atmosphere || m->fogs.count > 0);
 }
 
+/* Fog and media end at solids, and dielectrics within others; gathered light and photons count surfaces. */
+static bool drops_clear_members(const plan *p, const model *m)
+{
+    bool through = false;
+
+    for (size_t i = 0; i < m->lights.count; i++)
+        through = through || m->lights.items[i].through_count > 0;
+    return p->transmission && !(through || p->refraction || p->media || p->subsurface || m->radiosity.given || m->photons.given ||
+                                m->fogs.count > 0 || m->rainbows.count > 0);
+}
+
 static void derive_needs(plan *p, const model *m, const plan_counts *s)
 {
     p->media = s->filled > 0 || m->atmosphere;
@@ -151,6 +162,7 @@ static void derive_needs(plan *p, const model *m, const plan_counts *s)
     p->random = p->radiosity || p->photons || p->media || p->subsurface;
     p->dielectrics_at_start = p->refraction && s->dielectrics > 0;
     p->opaque_at_start = p->dielectrics_at_start && s->fresnel > 0;
+    p->clear_members = drops_clear_members(p, m);
 }
 
 pov_status plan_make(plan *p, const model *m, pov_error *err)

@@ -37,6 +37,8 @@ typedef struct plan {
     bool subsurface;             /* light is scattered below some surface */
     bool photons;                /* some light sends photons to some target */
     bool dielectrics_at_start;   /* some dielectric could contain the camera: tested once a picture */
+    bool clear_members;          /* nothing tells whether a ray is in a solid that shows nothing of itself: surfaces of members that are
+                                  * clear, without an interior, are left out */
     bool opaque_at_start;        /* Fresnel's reflection asks for opaque solids around it too */
     plan_counts counts;
 } plan;

@@ -403,7 +403,7 @@ static pov_status build(world *w, const world *whole, const world_options *optio
         status = make_parts(w, options, err);
     if (status < 0)
         return status;
-    status = compile_objects(&f, w->model, w->parts, use_blocks, threads, err);
+    status = compile_objects(&f, w->model, &w->plan, w->parts, use_blocks, threads, err);
     f.last = options->last;
     if (status == POV_OK && f.composed == 0)
         compile_drop_maps(&f);
