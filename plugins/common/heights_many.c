@@ -152,18 +152,17 @@ static void cross_single(const crowd *c, uint32_t ray)
     common_heights_cross(c->f, c->rays[ray], &e, c->hits[ray]);
 }
 
+/* The crossing of another object may be there from before. */
+static bool has_found(const pov_hits *hits) { return hits->count > 0 && hits->at->owner == hits->owner; }
+
 /* A ray by whose crossing nothing was found is asked by itself: what counts may lie farther on. */
 static void cross_queued(crowd *c)
 {
     queue *q = &c->q;
-    double before[COMMON_TRIANGLES];
-    uint32_t open;
+    const uint32_t open = q->n > 0 ? common_triangle_cross_many(q->pair, q->n, 1.0) : 0;
 
     for (uint32_t i = 0; i < q->n; i++)
-        before[i] = q->pair[i].hits->tmax;
-    open = q->n > 0 ? common_triangle_cross_many(q->pair, q->n, 1.0) : 0;
-    for (uint32_t i = 0; i < q->n; i++)
-        if ((open >> i & 1) || (q->pair[i].hits->count == 0 && q->pair[i].hits->tmax == before[i]))
+        if ((open >> i & 1) || !has_found(q->pair[i].hits))
             cross_single(c, q->ray[i]);
     q->n = 0;
 }

@@ -338,19 +338,37 @@ static void judge(const shape_class *c, const surface *s, const void *self, cons
                 ray->dir.z, there.count, n);
 }
 
+/* Up to some distance, at which another object's crossing may have been found before. */
+static pov_hits ask_to_some_end(pov_want want, pov_crossing *at)
+{
+    const double end = U() < 0.4 ? HUGE_VAL : 4.0 * U();
+    pov_hits hits = hits_to(end, want, at, 1);
+
+    memset(at, 0, sizeof *at);
+    hits.owner = 1;
+    if (want == POV_WANT_NEAREST && end < HUGE_VAL && U() < 0.5) {
+        at->t = end;
+        at->owner = 2;
+        hits.tmax = end + POV_COINCIDENT * end;
+        hits.count = 1;
+    }
+    return hits;
+}
+
 /* Rays together find what each finds by itself, with the same bits. */
 static void judge_together(const shape_class *c, const void *self, const pov_ray *rays_of, pov_want want)
 {
     const void *selves[RAYS_A_SHAPE];
     const pov_ray *each[RAYS_A_SHAPE];
-    pov_hits hits[RAYS_A_SHAPE], *to[RAYS_A_SHAPE];
-    pov_crossing at[RAYS_A_SHAPE];
+    pov_hits hits[RAYS_A_SHAPE], alone[RAYS_A_SHAPE], *to[RAYS_A_SHAPE];
+    pov_crossing at[RAYS_A_SHAPE], own[RAYS_A_SHAPE];
 
     for (int i = 0; i < RAYS_A_SHAPE; i++) {
         selves[i] = self;
         each[i] = &rays_of[i];
-        hits[i] = hits_to(U() < 0.5 ? HUGE_VAL : 4.0 * U(), want, &at[i], 1);
-        hits[i].owner = 1;
+        hits[i] = alone[i] = ask_to_some_end(want, &at[i]);
+        own[i] = at[i];
+        alone[i].at = &own[i];
         to[i] = &hits[i];
     }
     for (int from = 0, some; from < RAYS_A_SHAPE; from += some) {
@@ -360,17 +378,13 @@ static void judge_together(const shape_class *c, const void *self, const pov_ray
         c->intersect_many(selves + from, each + from, to + from, (uint32_t)some);
     }
     for (int i = 0; i < RAYS_A_SHAPE; i++) {
-        pov_crossing own;
-        pov_hits alone = hits_to(HUGE_VAL, want, &own, 1);
-
-        alone.owner = 1;
-        alone.tmax = hits[i].count ? HUGE_VAL : hits[i].tmax;
-        c->intersect(self, each[i], &alone);
-        assert_int_equal(hits[i].count, alone.count);
-        if (alone.count && want == POV_WANT_NEAREST) {
-            assert_memory_equal(&at[i].t, &own.t, sizeof own.t);
-            assert_memory_equal(&at[i].t_lo, &own.t_lo, sizeof own.t_lo);
-            assert_int_equal(at[i].mark.feature, own.mark.feature);
+        c->intersect(self, each[i], &alone[i]);
+        assert_int_equal(hits[i].count, alone[i].count);
+        if (want == POV_WANT_NEAREST) {
+            assert_memory_equal(&at[i].t, &own[i].t, sizeof own[i].t);
+            assert_memory_equal(&at[i].t_lo, &own[i].t_lo, sizeof own[i].t_lo);
+            assert_int_equal(at[i].owner, own[i].owner);
+            assert_int_equal(at[i].mark.feature, own[i].mark.feature);
         }
     }
 }
