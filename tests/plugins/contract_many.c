@@ -65,6 +65,19 @@ static pov_hits any_question(const thing *t, const pov_ray *ray, pov_crossing *a
     return hits;
 }
 
+/* A crossing of another object's is there already. Not where distances are beyond all doubles: any is a tie with those. */
+static void find_other(const thing *t, const pov_ray *ray, pov_hits *hits)
+{
+    const double scale = t->size / fmax(pov_largest(ray->dir), 1e-300), at = hits->tmin + 10.0 * scale * subject_uniform();
+
+    if (hits->want != POV_WANT_NEAREST || !(at > hits->tmin && at < fmin(hits->tmax, 1e100)))
+        return;
+    hits->at->t = at;
+    hits->at->owner = OWNER - 1;
+    hits->count = 1;
+    hits->tmax = at + POV_COINCIDENT * at;
+}
+
 /* Where any crossing will do, it may be another one. A single ray may escalate for one that turns out not to count. */
 static bool same_result(const pov_hits *one, const pov_hits *many)
 {
@@ -82,17 +95,24 @@ typedef struct packet {
     pov_crossing at[2][PACKET];
 } packet;
 
-static void gather(packet *c, uint32_t n)
+/* Of one thing, or of any. others: some rays have found another object before. */
+static void gather(packet *c, uint32_t n, bool others)
 {
+    const bool alike = subject_uniform() < 0.5;
+    const thing *t = NULL;
     uint32_t i;
 
     for (i = 0; i < n; i++) {
-        const thing *t = &subject.things[(int)(subject.count * subject_uniform())];
+        if (!t || !alike)
+            t = &subject.things[(int)(subject.count * subject_uniform())];
 
         c->selves[i] = t->self;
         c->ray[i] = any_ray(t);
         c->rays[i] = &c->ray[i];
-        c->hits[0][i] = c->hits[1][i] = any_question(t, &c->ray[i], &c->at[0][i]);
+        c->hits[0][i] = any_question(t, &c->ray[i], &c->at[0][i]);
+        if (others && subject_uniform() < 0.3)
+            find_other(t, &c->ray[i], &c->hits[0][i]);
+        c->hits[1][i] = c->hits[0][i];
         c->hits[1][i].at = &c->at[1][i];
         c->hits[0][i].scratch = c->hits[1][i].scratch = subject_scratch(t->self);
         c->at[1][i] = c->at[0][i];
@@ -113,7 +133,7 @@ void many_rays_get_the_results_of_single_ones(void **unused)
         pov_hits *hits[PACKET];
         uint32_t i;
 
-        gather(&c, n);
+        gather(&c, n, true);
         for (i = 0; i < n; i++)
             hits[i] = &c.hits[1][i];
         subject.shape->intersect_many(c.selves, c.rays, hits, n);
@@ -136,7 +156,7 @@ void many_normals_are_those_of_single_ones(void **unused)
         pov_vec3 normal[PACKET], *out[PACKET];
         uint32_t i, n = 0;
 
-        gather(&c, PACKET);
+        gather(&c, PACKET, false);
         for (i = 0; i < PACKET; i++) {
             if (c.hits[0][i].count == 0)
                 continue;
@@ -170,7 +190,7 @@ static uint32_t find_places(packet *c, place *places)
     uint32_t n = 0;
 
     memset(places, 0, PACKET * sizeof *places);
-    gather(c, PACKET);
+    gather(c, PACKET, false);
     for (uint32_t i = 0; i < PACKET; i++) {
         const double size = pov_largest(c->ray[i].dir), from = pov_largest(c->ray[i].org);
 
