@@ -54,6 +54,8 @@ void common_quadric_normal_pairs(const void *const *selves, const pov_ray *const
 
 /* The same for shapes that are planes. */
 void common_plane_intersect_pairs(const void *const *selves, const pov_ray *const *rays, pov_hits *const *hits, uint32_t n);
+uint64_t common_plane_cross_sure(const void *const *selves, const pov_ray *const *rays, pov_crossing *const *at, pov_contact *const *contacts,
+                                 uint32_t n);
 
 /* Many pairs at once; `one` intersects those that double precision leaves open. */
 typedef void common_intersect(const void *self, const pov_ray *ray, pov_hits *hits);
