@@ -137,25 +137,17 @@ static uint32_t wanted(const group *at, double worth, double threshold, uint32_t
 
 typedef struct outcome { double mean, square; } outcome;
 
-/* Predict the picture's error and cost for this threshold. */
-static outcome foresee(const cells *c, const double *worths, double threshold, uint32_t least)
+/* Add what a group makes of the picture's cost and error, both still sums over pixels, for this threshold. */
+static void foresee(const cells *c, size_t number, double worth, double threshold, uint32_t least, outcome *o)
 {
-    double all = (double)c->width * (double)c->height;
-    outcome o = { 0.0, 0.0 };
+    const group *at = &c->groups[number];
+    const uint32_t n = wanted(at, worth, threshold, least);
+    double square = c->shown[number].square;
 
-    for (size_t i = 0; i < GROUPS * c->count; i++) {
-        const group *at = &c->groups[i];
-        uint32_t n = wanted(at, worths[i], threshold, least);
-        double square = c->shown[i].square;
-
-        o.mean += (double)cells_pixels(c, i) * n;
-        for (uint32_t k = at->count; k < n; k *= 2)
-            square *= falls_by;
-        o.square += square;
-    }
-    o.mean /= all;
-    o.square /= all;
-    return o;
+    for (uint32_t k = at->count; k < n; k *= 2)
+        square *= falls_by;
+    o->mean += (double)cells_pixels(c, number) * n;
+    o->square += square;
 }
 
 /* The mean count that a pass aims at: this or less, but not below `fewest`, where that suffices for the requested error
@@ -172,25 +164,56 @@ static goal goal_of(const settings *s, const pov_pass *now)
     return (goal){ mean, fmin(mean, fewest), error * error };
 }
 
-/* The highest sufficient threshold; or zero, for all groups. */
-static double find_threshold(const cells *c, const double *worths, const goal *g, uint32_t least)
+/* Groups whose counts depend on the threshold, as far as it is known, and what all others make. */
+typedef struct search { double low, high, *open; size_t count; outcome fixed; } search;
+
+static void decide(search *f, const cells *c, const double *worths, uint32_t least)
+{
+    size_t left = 0;
+
+    for (size_t k = 0; k < f->count; k++) {
+        const size_t i = (size_t)f->open[k];
+
+        if (wanted(&c->groups[i], worths[i], f->low, least) == wanted(&c->groups[i], worths[i], f->high, least))
+            foresee(c, i, worths[i], f->low, least, &f->fixed);
+        else
+            f->open[left++] = (double)i;
+    }
+    f->count = left;
+}
+
+static bool suffices(const search *f, const cells *c, const double *worths, double threshold, uint32_t least, const goal *g)
+{
+    const double all = (double)c->width * (double)c->height;
+    outcome o = f->fixed;
+
+    for (size_t k = 0; k < f->count; k++)
+        foresee(c, (size_t)f->open[k], worths[(size_t)f->open[k]], threshold, least, &o);
+    return o.mean / all >= g->mean || (o.mean / all >= g->fewest && o.square / all <= g->square);
+}
+
+/* The highest sufficient threshold, or one that all groups take as that; or zero, for all groups. `open` holds a number for
+ * each group. */
+static double find_threshold(const cells *c, const double *worths, const goal *g, uint32_t least, double *open)
 {
     enum { HALVINGS = 40 };
-    double low = 0.0, high = 0.0;
+    search f = { .open = open, .count = GROUPS * c->count };
 
-    for (size_t i = 0; i < GROUPS * c->count; i++)
-        high = fmax(high, worths[i]);
-    for (int i = 0; i < HALVINGS; i++) {
-        /* Benefits span many decades: bisect by the geometric mean, once there is one. */
-        double middle = low > 0.0 ? sqrt(low * high) : high / 1024.0;
-        outcome o = foresee(c, worths, middle, least);
-
-        if (o.mean >= g->mean || (o.mean >= g->fewest && o.square <= g->square))
-            low = middle;
-        else
-            high = middle;
+    for (size_t i = 0; i < f.count; i++) {
+        open[i] = (double)i;
+        f.high = fmax(f.high, worths[i]);
     }
-    return low;
+    for (int i = 0; i < HALVINGS && f.count > 0; i++) {
+        /* Benefits span many decades: bisect by the geometric mean, once there is one. */
+        const double middle = f.low > 0.0 ? sqrt(f.low * f.high) : f.high / 1024.0;
+
+        if (suffices(&f, c, worths, middle, least, g))
+            f.low = middle;
+        else
+            f.high = middle;
+        decide(&f, c, worths, least);
+    }
+    return f.low;
 }
 
 static bool next_adaptive(cells *c, const settings *s, const pov_pass *now, double *worths)
@@ -202,7 +225,7 @@ static bool next_adaptive(cells *c, const settings *s, const pov_pass *now, doub
 
     for (size_t i = 0; i < GROUPS * c->count; i++)
         worths[i] = error_near(c, i) / c->groups[i].count;
-    threshold = find_threshold(c, worths, &g, least);
+    threshold = find_threshold(c, worths, &g, least, worths + GROUPS * c->count);
     for (size_t i = 0; i < GROUPS * c->count; i++) {
         group *at = &c->groups[i];
 

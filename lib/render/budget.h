@@ -9,7 +9,7 @@
  * samples may miss a feature. */
 enum { BUDGET_PILOT = 4, BUDGET_LEAST = 8 };
 
-/* Set the targets from the measurements of the cells alone. `scratch` holds a number for each group. False: no group
+/* Set the targets from the measurements of the cells alone. `scratch` holds two numbers for each group. False: no group
  * may get more. */
 bool budget_next(cells *c, const settings *s, const pov_pass *now, double *scratch);
 

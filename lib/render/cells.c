@@ -69,7 +69,7 @@ pov_rect cells_rect(const cells *c, int column, int row)
     return r;
 }
 
-size_t cells_pixels(const cells *c, size_t number)
+size_t cells_pixels_of_edge(const cells *c, size_t number)
 {
     const size_t cell = number / GROUPS;
     const pov_rect r = cells_rect(c, (int)(cell % (size_t)c->columns), (int)(cell / (size_t)c->columns));

@@ -61,8 +61,14 @@ enum { SET_CELLS = 2, SET_EDGE = SET_CELLS * CELL_EDGE, SET_PIXELS = SET_EDGE * 
 /* Light of photons is spread over discs that are several pixels wide: the pixels of a cell are alike. */
 enum { ALIKE_SETS = SET_CELLS * SET_CELLS, ALIKE_PHOTONS = GROUPS };
 
-/* A corner cell may be so narrow that its second group has none. */
-size_t cells_pixels(const cells *c, size_t group);
+/* Pixels of a group. A corner cell may be so narrow that its second group has none. */
+size_t cells_pixels_of_edge(const cells *c, size_t number);
+static inline size_t cells_pixels(const cells *c, size_t number)
+{
+    const bool whole = ((c->width | c->height) & (CELL_EDGE - 1)) == 0;
+
+    return whole ? CELL_EDGE * CELL_EDGE / GROUPS : cells_pixels_of_edge(c, number);
+}
 /* Variance of the light of the pixels of a group that has some. */
 double cells_contrast(const showing *g, size_t pixels);
 

@@ -42,7 +42,7 @@ struct pov_job {
     pov_camera camera;
     framebuffer framebuffer;
     cells cells;
-    double *scratch;             /* one number for each group of a cell */
+    double *scratch;             /* two numbers for each group of a cell */
     uint32_t *queue;             /* tiles in which the current pass of more samples has work */
     size_t due, claimed, committed;   /* steps of the lattices' passes together, or of the pass of more samples */
     lattice_pass lattices[LATTICES_MAX];
