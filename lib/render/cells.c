@@ -177,10 +177,25 @@ static bool is_clipped(const float *linear)
     return false;
 }
 
+/* Samples of a pixel's halves. per_half, per_both: the inverses of powers of two, by which products are what quotients are, bit for
+ * bit; or 0. */
+typedef struct share { double a, b, per_half, per_both; } share;
+
+static share share_of(uint32_t count)
+{
+    const bool doubled = count > 1 && (count & (count - 1)) == 0;
+    const double per_both = doubled ? 1.0 / count : 0.0;
+
+    return (share){ sample_half(count, 0), sample_half(count, 1), 2.0 * per_both, per_both };
+}
+
+static double mean_of(double sum, double count, double per) { return per > 0.0 ? sum * per : sum / count; }
+
 /* The variance of the mean of n samples of which one half has a and the other b is estimated without bias by
  * (difference of the halves' means)^2 * a b / n^2. */
-static double square_of_error(const encoding *e, const double *halves, double a, double b)
+static double square_of_error(const encoding *e, const double *halves, const share *n)
 {
+    const double a = n->a, b = n->b;
     float first[4] = { 0 }, second[4] = { 0 };
     double square = 0.0;
 
@@ -188,14 +203,14 @@ static double square_of_error(const encoding *e, const double *halves, double a,
         return 0.0;
     if (e->decode == 1.0) {
         for (int i = 0; i < 3; i++) {
-            double d = halves[i] / a - halves[3 + i] / b;
+            double d = mean_of(halves[i], a, n->per_half) - mean_of(halves[3 + i], b, n->per_half);
 
             square += d * d;
         }
     } else {
         for (int i = 0; i < 3; i++) {
-            first[i] = (float)(halves[i] / a);
-            second[i] = (float)(halves[3 + i] / b);
+            first[i] = (float)mean_of(halves[i], a, n->per_half);
+            second[i] = (float)mean_of(halves[3 + i], b, n->per_half);
         }
         encoding_linear(e, first, 1);
         encoding_linear(e, second, 1);
@@ -205,7 +220,7 @@ static double square_of_error(const encoding *e, const double *halves, double a,
             square += d * d;
         }
     }
-    return square / 3.0 * (a * b / ((a + b) * (a + b)));
+    return square / 3.0 * (a == b ? 0.25 : a * b / ((a + b) * (a + b)));
 }
 
 /* Are all values of a row within 0 .. 1? */
@@ -264,6 +279,16 @@ void cells_first(cells *c, pov_rect tile, const framebuffer *f, const encoding *
     }
 }
 
+/* The mean of a pixel, four channels, and a copy: one made of what was just written would wait for it. */
+static void find_mean(const cells *c, const double *halves, const share *n, float *out, float *copy)
+{
+    const double both = n->a + n->b;
+
+    for (int i = 0; i < 3; i++)
+        out[i] = copy[i] = (float)mean_of(halves[i] + halves[3 + i], both, n->per_both);
+    out[3] = copy[3] = c->sums > OPAQUE_SUMS ? (float)(halves[6] / both) : 1.0f;
+}
+
 /* A group whose count has grown is measured again from its halves. */
 void cells_measure(const cells *c, pov_rect tile, const encoding *e, group *groups, showing *shown,
                    const double *halves, float *pixels)
@@ -277,13 +302,11 @@ void cells_measure(const cells *c, pov_rect tile, const encoding *e, group *grou
         for (int x = 0; x < tile.width; x++) {
             const size_t into = group_of(r.columns, x, y);
             const double *h = halves + c->sums * (y * tile.width + x);
-            double a = sample_half(groups[into].count, 0), b = sample_half(groups[into].count, 1), square = square_of_error(e, h, a, b);
+            const share n = share_of(groups[into].count);
+            const double square = square_of_error(e, h, &n);
             float *out = pixels + 4 * (y * tile.width + x), linear[4];
 
-            for (int i = 0; i < 3; i++)
-                out[i] = (float)((h[i] + h[3 + i]) / (a + b));
-            out[3] = c->sums > OPAQUE_SUMS ? (float)(h[6] / (a + b)) : 1.0f;
-            memcpy(linear, out, sizeof linear);
+            find_mean(c, h, &n, out, linear);
             encoding_linear(e, linear, 1);
             shown[into].square += square;
             shown[into].fourth += c->alike ? 0.0 : square * square;

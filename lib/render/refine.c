@@ -77,10 +77,11 @@ static void add_sample(worker *w, const settings *s, packet *c, int cell, int x,
     p->x[n] = px;
     p->y[n] = py;
     p->k[n] = k;
-    if (w->job->scene->plan->random)
+    if (w->job->scene->plan->random) {
         c->samples[n] = sample_id_of(s->seed, px, py, k);
-    c->samples[n].set = w->job->scene->plan->random ? set : 0;
-    c->samples[n].place = place;
+        c->samples[n].set = set;
+        c->samples[n].place = place;
+    }
     c->alpha[n] = pixel + 6;
     c->sums[n] = pixel + 3 * (k & 1u);
     c->cells[n] = cell;
@@ -88,7 +89,7 @@ static void add_sample(worker *w, const settings *s, packet *c, int cell, int x,
         trace_packet(w, s, c);
 }
 
-/* Take the next samples of all pixels of a group. False: given up. */
+/* Take the next samples of all pixels of a group, whose places are every other one of each row. False: given up. */
 static bool refine_group(worker *w, const settings *s, cell_range range, int number, packet *c)
 {
     group *g = &w->refinement->groups[number];
@@ -98,9 +99,8 @@ static bool refine_group(worker *w, const settings *s, cell_range range, int num
 
     for (; g->count < g->target; g->count++) {
         for (int y = top; y < top + CELL_EDGE && y < tile.height; y++)
-            for (int x = left; x < left + CELL_EDGE && x < tile.width; x++)
-                if (group_of(range.columns, x, y) == (size_t)number)
-                    add_sample(w, s, c, cell, x, y, g->count, 0, 0);
+            for (int x = left + ((y + number) & 1); x < left + CELL_EDGE && x < tile.width; x += GROUPS)
+                add_sample(w, s, c, cell, x, y, g->count, 0, 0);
         if (worker_is_given_up(w))
             return false;
     }
