@@ -60,6 +60,24 @@ SIMD_INLINE sequence_point sequence_at(uint32_t index, uint64_t seeds)
     return p;
 }
 
+/* Pairs of bits as numbers of the field of four elements, times w of w^2 = w + 1. */
+SIMD_INLINE uint32_t sequence_times_w(uint32_t v) { return (v >> 1 & 0x55555555u) | ((v << 1 ^ v) & 0xaaaaaaaau); }
+SIMD_INLINE uint32_t sequence_times_w2(uint32_t v) { return sequence_times_w(v) ^ v; }
+
+/* The index of another point of the sequence for the same sample, such that both points together fill four dimensions evenly:
+ * 4^k samples from a multiple of 4^k on have one in each of 4^k boxes of any shape whose edges are 1 over powers of 4, and each
+ * pair stays what it is. Faure's (0,4)-sequence in base 4 has Pascal's triangle to the powers 0, 1, w and w^2 = 1 + w in that field:
+ * 0 and 1 are Sobol's two dimensions, but for a last step within pairs of bits, and the others are these at the index times the triangle
+ * to the w, which is a Kronecker power too. The last line changes no box; of 2^k boxes for odd k it leaves fewer empty. */
+SIMD_INLINE uint32_t sequence_partner(uint32_t index)
+{
+    index ^= sequence_times_w((index & 0xccccccccu) >> 2);
+    index ^= sequence_times_w2((index & 0xf0f0f0f0u) >> 4);
+    index ^= sequence_times_w((index & 0xff00ff00u) >> 8);
+    index ^= sequence_times_w2(index >> 16);
+    return index ^ (index >> 1 & 0x55555555u);
+}
+
 /* Another order of the indices, in which blocks of 2^k stay together: for a pair of dimensions that is to know nothing of
  * another pair. */
 SIMD_INLINE uint32_t sequence_shuffle(uint32_t index, uint32_t seed)

@@ -55,20 +55,32 @@ void raygen_sample(uint32_t seed, uint32_t n, raygen_places *p) { find_positions
 SIMD_CLONES static void find_lens(uint32_t seed, uint32_t n, const raygen_places *restrict p, raygen_screen *restrict out)
 {
     for (uint32_t i = 0; i < n; i++) {
-        const sample at = sample_on_lens(seed, p->x[i], p->y[i], (int)(p->k[i] & 1u), p->k[i] / 2);
+        const sample at = sample_of_disc(sample_on_lens(seed, p->x[i], p->y[i], (int)(p->k[i] & 1u), p->k[i] / 2));
 
         out->lens[0][i] = at.x;
         out->lens[1][i] = at.y;
     }
 }
 
-void raygen_spread(const pov_camera *camera, uint32_t seed, const raygen_places *p, uint32_t n, raygen_screen *out)
+SIMD_CLONES static void find_lens_alone(uint32_t seed, uint32_t n, const raygen_places *restrict p, raygen_screen *restrict out)
+{
+    for (uint32_t i = 0; i < n; i++) {
+        const sample at = sample_of_disc_alone(sample_on_lens_alone(seed, p->x[i], p->y[i]));
+
+        out->lens[0][i] = at.x;
+        out->lens[1][i] = at.y;
+    }
+}
+
+void raygen_spread(const pov_camera *camera, uint32_t seed, bool alone, const raygen_places *p, uint32_t n, raygen_screen *out)
 {
     if (camera->type == POV_CAMERA_MESH)
         for (uint32_t i = 0; i < n; i++) {
             out->lens[0][i] = p->k[i];
             out->lens[1][i] = 0.0;
         }
+    else if (alone)
+        find_lens_alone(seed, n, p, out);
     else
         find_lens(seed, n, p, out);
 }

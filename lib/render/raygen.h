@@ -19,8 +19,7 @@ typedef struct raygen_places {
 } raygen_places;
 
 /* The same positions on the screen, in widths to the right of its centre and heights above it. Pixels of a column share
- * u, those of a row v. Where the camera has a lens: points of the unit square that say where on it rays start; the left edge
- * is its centre. Of a camera of meshes lens[0] is the sample's number in its pixel. */
+ * u, those of a row v. Where the camera has a lens: points of the unit disc that say where on it rays start. Of a camera of meshes lens[0] is the sample's number in its pixel. */
 typedef struct raygen_screen {
     double u[RAYGEN_MANY], v[RAYGEN_MANY], lens[2][RAYGEN_MANY];
     int width, height;           /* of the whole picture, in pixels */
@@ -31,8 +30,8 @@ static inline bool raygen_counts(const pov_camera *c) { return c->lens_radius > 
 
 /* Positions within pixels for a seed. */
 void raygen_sample(uint32_t seed, uint32_t n, raygen_places *p);
-/* Where on the lens samples start; of a camera of meshes their numbers. */
-void raygen_spread(const pov_camera *camera, uint32_t seed, const raygen_places *p, uint32_t n, raygen_screen *out);
+/* Where on the lens samples start; of a camera of meshes their numbers. alone: pixels have one sample. */
+void raygen_spread(const pov_camera *camera, uint32_t seed, bool alone, const raygen_places *p, uint32_t n, raygen_screen *out);
 
 /* From -1/2 to 1/2, symmetric bit for bit about the middle. */
 static inline double raygen_u(int x, double dx, int width) { return (((double)x - 0.5 * width) + dx) / width; }

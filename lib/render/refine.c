@@ -50,7 +50,7 @@ static void trace_packet(worker *w, const settings *s, packet *c)
     raygen_sample(s->seed, c->count, &c->through);
     raygen_place(&c->through, s->width, s->height, c->count, &through);
     if (raygen_counts(&w->claim.camera))
-        raygen_spread(&w->claim.camera, s->seed, &c->through, c->count, &through);
+        raygen_spread(&w->claim.camera, s->seed, false, &c->through, c->count, &through);
     known = raygen_cast(w->job->scene->model, &w->claim.camera, &through, c->count, c->rays);
     tracer_colors(w->tracer, c->rays, c->count, known, c->samples, seen, s->alpha ? alpha : NULL);
     meter_cells(w->meter, c->cells, c->count);

@@ -31,13 +31,49 @@ SIMD_INLINE sample sample_at(uint32_t seed, int x, int y, int half, uint32_t ind
     return s;
 }
 
-/* The same for the sample's place on the lens, within the unit square: a sequence of its own, in another order, so that the
- * pairs know nothing of each other. */
+SIMD_INLINE uint64_t sample_lens_key(uint32_t seed, int x, int y, int half)
+{
+    return mix_bits(sample_key(seed, x, y, half) + 0xd1342543de82ef95u);
+}
+
+/* The point of the unit square that says where on the lens a sample starts. These fill the square as evenly as those of
+ * sample_at() do, and both together fill the four dimensions of pixel and lens. */
 SIMD_INLINE sample sample_on_lens(uint32_t seed, int x, int y, int half, uint32_t index)
 {
-    const uint64_t key = mix_bits(sample_key(seed, x, y, half) + 0xd1342543de82ef95u);
-    const sequence_point p = sequence_at(sequence_shuffle(index, (uint32_t)(key >> 13)), mix_bits(key));
+    const sequence_point p = sequence_at(sequence_partner(index), sample_lens_key(seed, x, y, half));
     const sample s = { p.x, p.y };
+
+    return s;
+}
+
+/* The same where a pixel has no other sample. */
+SIMD_INLINE sample sample_on_lens_alone(uint32_t seed, int x, int y)
+{
+    const uint64_t key = sample_lens_key(seed, x, y, 0);
+    const sequence_point p = sequence_at(sequence_shuffle(0, (uint32_t)(key >> 13)), mix_bits(key));
+    const sample s = { p.x, p.y };
+
+    return s;
+}
+
+/* Points of the unit disc for those of the unit square, all alike. Squares around the middle become circles, and a small square
+ * stays nearly one: Shirley and Chiu, A low distortion map between disk and square, JGT 2(3), 1997. */
+SIMD_INLINE sample sample_of_disc(sample square)
+{
+    const double a = 2.0 * square.x - 1.0, b = 2.0 * square.y - 1.0;
+    const int wide = fabs(a) > fabs(b);
+    const double radius = wide ? a : b, turn = 0.125 * (wide ? b : a) / radius;   /* no place is the middle itself */
+    const double along = radius * elementary_cos_turns(turn), across = radius * elementary_sin_turns(turn);
+    const sample s = { wide ? along : across, wide ? across : along };
+
+    return s;
+}
+
+/* By radius and angle. */
+SIMD_INLINE sample sample_of_disc_alone(sample square)
+{
+    const double radius = sqrt(square.x);
+    const sample s = { radius * elementary_cos_turns(square.y), radius * elementary_sin_turns(square.y) };
 
     return s;
 }

@@ -89,7 +89,7 @@ static void number_samples(const worker *w, const settings *s, packet *c)
         c->samples[i].place = i;
     }
     if (lens)
-        raygen_spread(&w->claim.camera, s->seed, &p, c->count, &c->through);
+        raygen_spread(&w->claim.camera, s->seed, !s->sampling, &p, c->count, &c->through);
 }
 
 static void trace_packet(worker *w, const settings *s, packet *c)

@@ -172,6 +172,64 @@ static void samples_of_a_half_spread_evenly(void **state)
     assert_spread(sample_on_lens);
 }
 
+/* Of 256 samples of a half each of 256 boxes has one, whatever powers of four divide the four edges; so it is of each 16 and of
+ * each 64 and their boxes. */
+static void assert_boxes(double places[256][4], int first, int count, const int *edges)
+{
+    int boxes[256] = { 0 };
+
+    for (int i = first; i < first + count; i++) {
+        int box = 0;
+
+        for (int k = 0; k < 4; k++)
+            box = box * edges[k] + (int)(edges[k] * places[i][k]);
+        assert_int_equal(boxes[box]++, 0);
+    }
+}
+
+static void places_in_pixel_and_lens_fill_four_dimensions(void **state)
+{
+    double places[256][4];
+    (void)state;
+
+    for (int i = 0; i < 256; i++) {
+        const sample a = sample_at(5, 31, 41, 1, (uint32_t)i), b = sample_on_lens(5, 31, 41, 1, (uint32_t)i);
+
+        memcpy(places[i], (double[4]){ a.x, a.y, b.x, b.y }, sizeof places[i]);
+    }
+    for (int count = 4; count <= 256; count *= 4)
+        for (int code = 0; code < 625; code++) {
+            const int edges[4] = { 1 << 2 * (code % 5), 1 << 2 * (code / 5 % 5), 1 << 2 * (code / 25 % 5), 1 << 2 * (code / 125) };
+
+            for (int first = 0; edges[0] * edges[1] * edges[2] * edges[3] == count && first < 256; first += count)
+                assert_boxes(places, first, count, edges);
+        }
+}
+
+/* Of a disc divided by rings and sectors of one area each part has its share. */
+static void assert_disc_is_even(sample (*disc)(sample))
+{
+    enum { EDGE = 240, RINGS = 4, SECTORS = 6 };
+    int parts[RINGS][SECTORS] = { { 0 } };
+
+    for (int i = 0; i < EDGE * EDGE; i++) {
+        const sample at = disc((sample){ (i % EDGE + 0.5) / EDGE, (i / EDGE + 0.4) / EDGE });
+        const double ring = at.x * at.x + at.y * at.y, turn = (atan2(at.y, at.x) / 3.141592653589793 + 1.0) / 2.0;
+
+        assert_true(ring <= 1.0);
+        parts[(int)fmin(RINGS * ring, RINGS - 1)][(int)fmin(SECTORS * turn, SECTORS - 1)]++;
+    }
+    for (int i = 0; i < RINGS * SECTORS; i++)
+        assert_near(parts[i / SECTORS][i % SECTORS], EDGE * EDGE / (RINGS * SECTORS), 0.03 * EDGE * EDGE / (RINGS * SECTORS));
+}
+
+static void places_on_the_lens_are_those_of_a_disc(void **state)
+{
+    (void)state;
+    assert_disc_is_even(sample_of_disc);
+    assert_disc_is_even(sample_of_disc_alone);
+}
+
 static void places_on_the_lens_know_nothing_of_those_in_the_pixel(void **state)
 {
     enum { PIXELS = 400, N = 16 * PIXELS };
@@ -463,6 +521,8 @@ int main(void)
         cmocka_unit_test(faces_with_uv_begin_at_the_first_column),
         cmocka_unit_test(many_rays_are_single_ones_bit_for_bit),
         cmocka_unit_test(samples_of_a_half_spread_evenly),
+        cmocka_unit_test(places_in_pixel_and_lens_fill_four_dimensions),
+        cmocka_unit_test(places_on_the_lens_are_those_of_a_disc),
         cmocka_unit_test(places_on_the_lens_know_nothing_of_those_in_the_pixel),
         cmocka_unit_test(every_pixel_and_half_has_places_of_its_own),
         cmocka_unit_test(tiles_cover_every_pixel_once),
