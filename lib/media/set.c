@@ -97,7 +97,7 @@ static void place(const media_segment *on, const double *at, uint32_t n, texture
     out->has_surface = false;
     out->parts = NULL;
     for (uint32_t i = 0; i < n; i++)
-        texture_point(NULL, pov_add(on->from, pov_scale(on->dir, at[i])), pov_vec3_of(0.0, 0.0, 0.0), i, out);
+        texture_point(out, i, pov_add(on->from, pov_scale(on->dir, at[i])), pov_vec3_of(0.0, 0.0, 0.0));
 }
 
 static void clear(media_optics *o, uint32_t n)

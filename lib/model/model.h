@@ -170,10 +170,15 @@ bool model_set_texture_map(model *m, const pov_affine *map);
 void model_clear_texture_map(model *m, uint32_t leaf);
 /* What a leaf with LEAF_CUTAWAY has. */
 const cutaway *model_cutaway(const model *m, uint32_t leaf);
+/* Equal numbers are of one map; 0: the texture is in the world's space. */
+static inline uint32_t model_texture_map_number(const model *m, uint32_t leaf)
+{
+    return leaf < m->texture_maps.count ? m->texture_maps.items[leaf] : 0;
+}
 /* May be written to `space`. NULL: the texture is in the world's space. */
 static inline const inverse_map *model_texture_map(const model *m, uint32_t leaf, inverse_map *space)
 {
-    return leaf < m->texture_maps.count ? map_table_read(&m->kept_maps, m->texture_maps.items[leaf], space) : NULL;
+    return map_table_read(&m->kept_maps, model_texture_map_number(m, leaf), space);
 }
 
 /* Free all transformations: objects have none any more. */

@@ -47,7 +47,7 @@ void function_host_colour(const function *f, const double *at, double out[5])
     pigment p;
 
     points.has_surface = false;
-    texture_point(NULL, vector_of(at), pov_vec3_of(0.0, 0.0, 0.0), 0, &points);
+    texture_point(&points, 0, vector_of(at), pov_vec3_of(0.0, 0.0, 0.0));
     pigment_eval(f->model, f->pigment, &points, 1, &p);
     put_colour(&p, out);
 }
@@ -84,7 +84,7 @@ static void find_values(const function *f, const double *at, uint32_t apart, uin
 
     points.has_surface = false;
     for (uint32_t i = 0; i < n; i++)
-        texture_point(NULL, pov_vec3_of(at[i], y[i], z[i]), pov_vec3_of(0.0, 0.0, 0.0), i, &points);
+        texture_point(&points, i, pov_vec3_of(at[i], y[i], z[i]), pov_vec3_of(0.0, 0.0, 0.0));
     if (f->kind == FUNCTION_PATTERN)
         values_of_pattern(f, &points, n, out);
     else

@@ -361,7 +361,7 @@ static void add_sky(const shade_context *c, const batch *b, uint64_t rays, backd
         if (c->alpha && m->sky_is_old && !b->paths[i].mirrored && b->paths[i].gathers == 0)
             continue;
         lanes[n] = i;
-        texture_point(NULL, pov_unit(b->rays[i]->dir), pov_vec3_of(0.0, 0.0, 0.0), n, &points);
+        texture_point(&points, n, pov_unit(b->rays[i]->dir), pov_vec3_of(0.0, 0.0, 0.0));
         n++;
     }
     if (m->sky_is_old) {

@@ -65,19 +65,13 @@ static void begin(group *g, const texture *of)
     g->texture = of;
     g->count = 0;
     g->points.parts = g->parts;
-    g->points.has_surface = g->points.has_world = g->points.in_world = false;
 }
 
 static void add_point(group *g, const shading *scene, const hit *h)
 {
-    inverse_map space;
-    const inverse_map *map = world_texture_map(scene->world, scene->model, h->object, &space, &g->linear[g->count]);
-
     if (g->texture->blend == BLEND_PARTS)
         find_part(scene, h, &g->parts[g->count]);
-    texture_point(map, h->point, h->point_lo, g->count, &g->points);
-    g->points.linear[g->count] = map ? map->linear : NULL;
-    g->points.has_world = scene->worlds;
+    texture_point(&g->points, g->count, h->point, h->point_lo);
     if (scene->worlds)
         lanes_put(&g->points.world, g->count, h->point);
 }
@@ -101,22 +95,61 @@ static void add(group *g, const shading *scene, const surfaces *s, uint32_t lane
     lanes_put(&g->points.normal, g->count, lanes_at(s->geometry.raw, lane));
     if (scene->views)
         lanes_put(&g->points.view, g->count, pov_unit(s->at[lane].ray->dir));
-    g->points.has_surface = true;
     g->lane[g->count++] = (uint8_t)lane;
 }
 
-/* As a rule all surfaces of a batch are of one material, whose texture is written in the world: their points stand there by
- * lane. The others are added one by one. */
-static bool are_alike(const shading *scene, const surfaces *s)
+/* As a rule all surfaces of a batch are of one material: their points stand there by lane. The others are added one by one. */
+static bool are_alike(const surfaces *s)
 {
     const appearance *first = s->at[0].appearance;
-    const size_t own = scene->model->leaves.count;
-    bool alike = scene->model->texture_maps.count == 0 && first->varies && !first->stack && !first->material->inside &&
-                 first->material->texture->blend != BLEND_PARTS;
+    bool alike = first->varies && !first->stack && !first->material->inside && first->material->texture->blend != BLEND_PARTS;
 
     for (uint32_t i = 0; alike && i < s->count; i++)
-        alike = s->at[i].appearance == first && s->at[i].at->object < own;
+        alike = s->at[i].appearance == first;
     return alike;
+}
+
+/* ---- spaces ---- */
+
+/* Do two leaves have one map? */
+static inline bool have_one_map(const model *m, uint32_t a, uint32_t b)
+{
+    const uint32_t own = (uint32_t)m->leaves.count;
+
+    return a == b || (a < own && b < own && model_texture_map_number(m, a) == model_texture_map_number(m, b));
+}
+
+static inline bool has_spaces(const model *m) { return m->texture_maps.count > 0 || m->copies.count > 0; }
+
+/* Take the points from the world to the spaces in which their objects' textures were written, neighbours with one map side by
+ * side. object: by lane, where the scene has such spaces. */
+static void enter_spaces(group *g, const shading *scene, const uint32_t *object)
+{
+    inverse_map space;
+    uint32_t first, end;
+
+    g->points.has_surface = g->points.in_world = true;
+    g->points.has_world = scene->worlds;
+    if (!has_spaces(scene->model))
+        return;
+    for (first = 0; first < g->count; first = end) {
+        const inverse_map *map = world_texture_map(scene->world, scene->model, object[first], &space, &g->linear[first]);
+
+        for (end = first; end < g->count && have_one_map(scene->model, object[first], object[end]); end++)
+            g->points.linear[end] = map ? map->linear : NULL;
+        texture_points_map(map, first, end, &g->points);
+        g->points.in_world &= !map;
+    }
+}
+
+/* All of a group have been added. */
+static void finish_points(group *g, const shading *scene, const surfaces *s)
+{
+    uint32_t object[BATCH_MAX];
+
+    for (uint32_t i = 0; has_spaces(scene->model) && i < g->count; i++)
+        object[i] = s->at[g->lane[i]].at->object;
+    enter_spaces(g, scene, object);
 }
 
 static void copy_lanes(const vec_lanes *from, uint32_t n, vec_lanes *to)
@@ -133,17 +166,16 @@ static void add_all(group *g, const shading *scene, const surfaces *s)
     copy_lanes(&s->geometry.to.point, s->count, &g->points.at);
     copy_lanes(&s->geometry.to.point_lo, s->count, &g->points.at_lo);
     copy_lanes(s->geometry.raw, s->count, &g->points.normal);
-    g->points.has_world = scene->worlds;
     if (scene->worlds)
         copy_lanes(&s->geometry.to.point, s->count, &g->points.world);
-    g->points.has_surface = g->points.in_world = true;
-    for (; g->count < s->count && (scene->uvs || scene->views); g->count++) {
+    for (; g->count < s->count; g->count++) {
+        g->lane[g->count] = (uint8_t)g->count;
         if (scene->uvs)
             add_uv(g, scene, s->at[g->count].at);
         if (scene->views)
             lanes_put(&g->points.view, g->count, pov_unit(s->at[g->count].ray->dir));
     }
-    g->count = s->count;
+    finish_points(g, scene, s);
 }
 
 /* ---- terms ---- */
@@ -183,6 +215,7 @@ static uint64_t add_some(group *g, const shading *scene, const surfaces *s, uint
         add(g, scene, s, i);
         rest &= ~((uint64_t)1 << i);
     }
+    finish_points(g, scene, s);
     return rest;
 }
 
@@ -192,7 +225,7 @@ static uint32_t evaluate(const shading *scene, const surfaces *s, painted *p)
     uint32_t count = 0;
     group g;
 
-    if (s->count > 0 && are_alike(scene, s)) {
+    if (s->count > 0 && are_alike(s)) {
         begin(&g, s->at[0].appearance->material->texture);
         add_all(&g, scene, s);
         return texture_eval(scene->model, g.texture, &g.points, g.count, p->terms);
@@ -320,7 +353,7 @@ static bool find_normals_alike(const shading *scene, surfaces *s, painted *p)
     const texture *of = s->count > 0 && s->at[0].appearance->one_pigment ? s->at[0].appearance->material->texture : NULL;
     group g;
 
-    if (!of || !of->normal || !are_alike(scene, s))
+    if (!of || !of->normal || !are_alike(s))
         return false;
     begin(&g, of);
     add_all(&g, scene, s);
@@ -356,7 +389,7 @@ static bool paint_alike(const shading *scene, surfaces *s, painted *p)
     const appearance *finished;
     group g;
 
-    if (!of || of->blend != BLEND_NONE || of->normal || !are_alike(scene, s))
+    if (!of || of->blend != BLEND_NONE || of->normal || !are_alike(s))
         return false;
     begin(&g, of);
     add_all(&g, scene, s);
@@ -472,7 +505,8 @@ static void begin_single(group *g, const shading *scene, const texture *of, cons
     add_uv(g, scene, h);
     lanes_put(&g->points.normal, 0, normal);
     lanes_put(&g->points.view, 0, view);
-    g->points.has_surface = true;
+    g->count = 1;
+    enter_spaces(g, scene, &h->object);
 }
 
 /* The normal, turned against the ray. */

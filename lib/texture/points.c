@@ -35,14 +35,22 @@ static inline pov_two3 to_space(const inverse_map *map, pov_two3 p)
     return out;
 }
 
-void texture_point(const inverse_map *map, pov_vec3 point, pov_vec3 point_lo, uint32_t lane, texture_points *out)
+/* There is at least one. */
+SIMD_CLONES SIMD_NOINLINE static void map_some(const inverse_map *restrict map, uint32_t first, uint32_t end, vec_lanes *restrict at,
+                                               vec_lanes *restrict at_lo)
 {
-    pov_two3 p = pov_two3_of(point, point_lo);
+    do {
+        const pov_two3 p = to_space(map, pov_two3_of(lanes_at(at, first), lanes_at(at_lo, first)));
 
+        lanes_put(at, first, pov_two3_hi(p));
+        lanes_put(at_lo, first, pov_two3_lo(p));
+    } while (++first < end);
+}
+
+void texture_points_map(const inverse_map *map, uint32_t first, uint32_t end, texture_points *io)
+{
     if (map)
-        p = to_space(map, p);
-    lanes_put(&out->at, lane, pov_two3_hi(p));
-    lanes_put(&out->at_lo, lane, pov_two3_lo(p));
+        map_some(map, first, end, &io->at, &io->at_lo);
 }
 
 /* Does each coordinate come of one alone, as where nothing is turned but by right angles? Then the other products are zeros,

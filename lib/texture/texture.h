@@ -36,8 +36,14 @@ typedef struct texture_term {
     pov_vec3 normal;             /* where it is bent: unit, of the world */
 } texture_term;
 
-/* Transform a world point to the texture's space. map NULL: it is the world. */
-void texture_point(const inverse_map *map, pov_vec3 point, pov_vec3 point_lo, uint32_t lane, texture_points *out);
+static inline void texture_point(texture_points *out, uint32_t lane, pov_vec3 point, pov_vec3 point_lo)
+{
+    lanes_put(&out->at, lane, point);
+    lanes_put(&out->at_lo, lane, point_lo);
+}
+/* Take the points of the lanes from `first` to the one before `end`, at least one, from the world to a space of textures.
+ * map NULL: it is the world. */
+void texture_points_map(const inverse_map *map, uint32_t first, uint32_t end, texture_points *io);
 /* Evaluate a texture at n points; returns the number of terms, at most n times texture_most_terms(). The terms of a lane
  * have the same order alone and beside others. */
 uint32_t texture_eval(const model *m, const texture *of, const texture_points *points, uint32_t n, texture_term *out);

@@ -49,7 +49,7 @@ static pigment colour_at(const bench *b, double x, double y)
 
     assert_non_null(t);
     memset(&points, 0, sizeof points);
-    texture_point(NULL, pov_vec3_of(x, y, 0.0), pov_vec3_of(0.0, 0.0, 0.0), 0, &points);
+    texture_point(&points, 0, pov_vec3_of(x, y, 0.0), pov_vec3_of(0.0, 0.0, 0.0));
     pigment_eval(&b->model, t->pigment, &points, 1, &out);
     return out;
 }
@@ -292,7 +292,7 @@ static void numbers_of_textures_are_decoded_too(void **state)
         snprintf(scene, sizeof scene, text, cases[i].gamma);
         assert_int_equal(read_scene(&b, scene), POV_OK);
         memset(&points, 0, sizeof points);
-        texture_point(NULL, pov_vec3_of(0.01, 0.01, 0.0), pov_vec3_of(0.0, 0.0, 0.0), 0, &points);
+        texture_point(&points, 0, pov_vec3_of(0.01, 0.01, 0.0), pov_vec3_of(0.0, 0.0, 0.0));
         assert_int_equal(texture_eval(&b.model, b.model.materials.items[b.model.leaves.items[0].material].texture, &points, 1, term), 1);
         assert_true(term[0].pigment.color.r == 0.25f * (float)(cases[i].number + 1));
         end(&b);
@@ -315,7 +315,7 @@ static void numbers_of_textures_are_interpolated_before_they_are_cut_down(void *
         texture_term term[4];
 
         memset(&points, 0, sizeof points);
-        texture_point(NULL, pov_vec3_of(cases[i].x, 0.5, 0.0), pov_vec3_of(0.0, 0.0, 0.0), 0, &points);
+        texture_point(&points, 0, pov_vec3_of(cases[i].x, 0.5, 0.0), pov_vec3_of(0.0, 0.0, 0.0));
         assert_int_equal(texture_eval(&b.model, b.model.materials.items[b.model.leaves.items[0].material].texture, &points, 1, term), 1);
         assert_true(term[0].pigment.color.r == cases[i].shown);
     }

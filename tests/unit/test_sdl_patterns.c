@@ -27,7 +27,8 @@ static char colour_at(const reading *r, uint32_t leaf, double x, double y, doubl
 
     memset(&points, 0, sizeof points);
     assert_non_null(material_of(r, leaf)->texture);
-    texture_point(model_texture_map(&r->model, leaf, &space), pov_vec3_of(x, y, z), pov_vec3_of(0, 0, 0), 0, &points);
+    texture_point(&points, 0, pov_vec3_of(x, y, z), pov_vec3_of(0, 0, 0));
+    texture_points_map(model_texture_map(&r->model, leaf, &space), 0, 1, &points);
     pigment_eval(&r->model, material_of(r, leaf)->texture->pigment, &points, 1, &p);
     return p.color.b == 1.0f ? 'b' : p.color.g == 0.0f ? 'r' : p.color.r == 0.0f ? 'g' : 'y';
 }

@@ -175,8 +175,8 @@ static void points_are_taken_to_a_texture_in_two_parts(void **state)
             squares_set(&p, list, &of);
             p.pattern.map = map_table_add(&m.kept_maps, &e, &affine);
             points.has_surface = false;
-            texture_point(NULL, pov_vec3_of(places[i] * s, 0, 0), pov_vec3_of(0x1p-60 * s, 0, 0), 0, &points);
-            texture_point(NULL, pov_vec3_of(places[i] * s, 0, 0), pov_vec3_of(-0x1p-60 * s, 0, 0), 1, &points);
+            texture_point(&points, 0, pov_vec3_of(places[i] * s, 0, 0), pov_vec3_of(0x1p-60 * s, 0, 0));
+            texture_point(&points, 1, pov_vec3_of(places[i] * s, 0, 0), pov_vec3_of(-0x1p-60 * s, 0, 0));
             assert_int_equal(texture_eval(&m, of.texture, &points, 2, out), 2);
             assert_memory_equal(&out[0].pigment, &list[0], sizeof(pigment));
             assert_memory_equal(&out[1].pigment, &list[3], sizeof(pigment));
@@ -192,10 +192,16 @@ static void an_object_takes_its_texture_along(void **state)
     texture_points points;
     (void)state;
 
-    texture_point(&map, pov_vec3_of(3.5, 2, -1), zero, 5, &points);
-    assert_near(points.at.x[5], 1.0, 0.0);
-    assert_near(points.at.y[5], 2.0, 0.0);
-    assert_near(points.at.z[5], 0.5, 0.0);
+    for (uint32_t i = 0; i < 7; i++)
+        texture_point(&points, i, pov_vec3_of(3.5, 2, -1 - (double)i), zero);
+    texture_points_map(&map, 2, 6, &points);
+    for (uint32_t i = 0; i < 7; i++) {
+        const bool taken = i >= 2 && i < 6;
+
+        assert_near(points.at.x[i], taken ? 1.0 + i : 3.5, 0.0);
+        assert_near(points.at.y[i], 2.0, 0.0);
+        assert_near(points.at.z[i], taken ? 0.5 : -1.0 - i, 0.0);
+    }
 }
 
 /* ---- surfaces ---- */

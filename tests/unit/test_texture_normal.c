@@ -28,7 +28,8 @@ static pov_vec3 perturbed(const char *text, pov_vec3 at, pov_vec3 normal)
     memset(&points, 0, sizeof points);
     points.has_surface = true;
     map = model_texture_map(&r.model, 0, &space);
-    texture_point(map, at, zero, 0, &points);
+    texture_point(&points, 0, at, zero);
+    texture_points_map(map, 0, 1, &points);
     points.linear[0] = map ? map->linear : NULL;
     lanes_put(&points.uv, 0, place);
     lanes_put(&points.normal, 0, normal);

@@ -31,7 +31,8 @@ static uint32_t terms_beside(const reading *r, uint32_t leaf, const double *x, d
 
     memset(&points, 0, sizeof points);
     for (uint32_t i = 0; i < n; i++)
-        texture_point(model_texture_map(&r->model, leaf, &space), pov_vec3_of(x[i], y, y), zero, i, &points);
+        texture_point(&points, i, pov_vec3_of(x[i], y, y), zero);
+    texture_points_map(model_texture_map(&r->model, leaf, &space), 0, n, &points);
     assert_non_null(of);
     return texture_eval(&r->model, of, &points, n, out);
 }
@@ -239,7 +240,7 @@ static void filters_are_products_of_layers_and_means_of_members(void **state)
 
     (void)state;
     memset(&points, 0, sizeof points);
-    texture_point(NULL, pov_vec3_of(0.25, 0, 0), zero, 0, &points);
+    texture_point(&points, 0, pov_vec3_of(0.25, 0, 0), zero);
     read_text(&r, "#version 3.7; sphere { 0, 1 pigment { rgbf <1, .5, 0, 1> } texture { pigment { rgbft <.5, 1, 1, .5, .25> } } }\n"
                   "sphere { 0, 1 texture { gradient x texture_map { [0 pigment { rgbf <1, 1, 0, 1> }] [1 pigment { rgb 1 }] } } }");
     texture_filters(&r.model, material_of(&r, 0)->texture, &points, 1, &by);
@@ -295,7 +296,7 @@ static void slopes_begin_again_before_their_waves_are_made(void **state)
                  cases[i].slope);
         read_text(&r, text);
         memset(&points, 0, sizeof points);
-        texture_point(NULL, zero, zero, 0, &points);
+        texture_point(&points, 0, zero, zero);
         points.has_surface = true;
         lanes_put(&points.normal, 0, up);
         assert_int_equal(texture_eval(&r.model, material_of(&r, 0)->texture, &points, 1, t), 1);
@@ -334,7 +335,7 @@ static float last_shown(const char *text)
                                   "sphere { 0, 1 %s }", text);
     read_text(&r, scene);
     memset(&points, 0, sizeof points);
-    texture_point(NULL, pov_vec3_of(.3, .2, .4), zero, 0, &points);
+    texture_point(&points, 0, pov_vec3_of(.3, .2, .4), zero);
     points.has_surface = true;
     lanes_put(&points.normal, 0, pov_vec3_of(0, 0, 1));
     count = texture_eval(&r.model, material_of(&r, 0)->texture, &points, 1, t);
