@@ -134,14 +134,31 @@ uint32_t air_solids_across(const shading *scene, const surface *s)
     return s->at->entering ? before + 1 : before - (before > 0);
 }
 
-void air_add(air_segments *s, const path *p, const pov_ray *ray, double t)
+void air_add(air_segments *s, path *p, const pov_ray *ray, double t)
 {
     const uint32_t i = s->on.count++;
 
     s->path[i] = p;
-    lanes_put(&s->on.from, i, ray->org);
-    lanes_put(&s->dir, i, ray->dir);
+    s->rays[i] = ray;
     s->on.length[i] = t;
+}
+
+/* Starts and directions of the rays; lanes behind the last one are filled with it. */
+static void take_rays(air_segments *s)
+{
+    const uint32_t last = s->on.count - 1, n = lanes_whole(s->on.count);
+
+    for (uint32_t i = 0; i < n; i += 4) {
+        const void *from[4];
+        double unused[4];
+
+        for (uint32_t k = 0; k < 4; k++)
+            from[k] = s->rays[i + k < last ? i + k : last];
+        simd_transpose(from, offsetof(pov_ray, org), s->on.from.x + i, s->on.from.y + i, s->on.from.z + i, unused);
+        simd_transpose(from, offsetof(pov_ray, dir), s->dir.x + i, s->dir.y + i, s->dir.z + i, unused);
+    }
+    for (uint32_t i = last + 1; i < n; i++)
+        s->on.length[i] = s->on.length[last];
 }
 
 /* From ray parameters to lengths, and directions to unit vectors, as pov_unit() makes them. False: some is out of range. */
@@ -178,9 +195,7 @@ void air_measure(const shade_context *c, air_segments *s)
 {
     const uint32_t n = lanes_whole(s->on.count);
 
-    fog_fill(&s->on);
-    for (uint32_t i = s->on.count; i < n; i++)
-        lanes_put(&s->dir, i, lanes_at(&s->dir, s->on.count - 1));
+    take_rays(s);
     if (!measure_lanes(&s->dir, &s->on, n))
         for (uint32_t i = 0; i < n; i++)
             lanes_put(&s->on.dir, i, pov_unit(lanes_at(&s->dir, i)));
@@ -229,43 +244,41 @@ static inline veil veil_of(shade_context *c, const air_segments *on, uint32_t i,
     return open ? veil_before(fogs_at(&on->fogs, i), below) : below;
 }
 
-/* The path behind what dims it by `by`. */
-static inline void go_on(const path *p, colour by, bool shows, path *behind)
+/* The path behind what dims it by `by`. Its weight stays. */
+static inline void go_on(path *p, colour by, bool shows)
 {
-    simd_copy(&behind->level, &p->level, sizeof *p - offsetof(path, level));
-    behind->factor.by = colour_mul(p->factor.by, by);
-    behind->factor.weight = p->factor.weight;
+    p->factor.by = colour_mul(p->factor.by, by);
     if (shows)
-        behind->clear = p->clear * colour_grey(by);
+        p->clear *= colour_grey(by);
 }
 
 /* Where fogs are all there is. */
-static void cross_fogs(const shade_context *c, const air_segments *s, uint64_t seen, path *dimmed, colour *out)
+static void cross_fogs(const shade_context *c, const air_segments *s, uint64_t seen, colour *out)
 {
     const fog_veils *f = &s->fogs;
 
     for (uint32_t i = 0; i < s->on.count; i++) {
-        const path *p = s->path[i];
-        const bool open = (seen >> i & 1) && p->solids == 0 && p->gathers == 0;
+        path *p = s->path[i];
         const veil v = veil_before(fogs_at(f, i), clear);
 
-        go_on(p, open ? v.by : clear.by, c->alpha != NULL, &dimmed[i]);
-        if (open)
-            accumulate(p, v.given, out);
+        if (!(seen >> i & 1) || p->solids > 0 || p->gathers > 0)
+            continue;
+        accumulate(p, v.given, out);
+        go_on(p, v.by, c->alpha != NULL);
     }
 }
 
-void air_cross(shade_context *c, const air_segments *s, uint64_t seen, path *dimmed, colour *out)
+void air_cross(shade_context *c, const air_segments *s, uint64_t seen, colour *out)
 {
     if (c->scene->model->rainbows.count == 0 && !c->scene->plan->media) {
-        cross_fogs(c, s, seen, dimmed, out);
+        cross_fogs(c, s, seen, out);
         return;
     }
     for (uint32_t i = 0; i < s->on.count; i++) {
         const veil v = veil_of(c, s, i, seen >> i & 1);
 
-        go_on(s->path[i], v.by, c->alpha != NULL, &dimmed[i]);
         accumulate(s->path[i], v.given, out);
+        go_on(s->path[i], v.by, c->alpha != NULL);
     }
 }
 
@@ -376,7 +389,7 @@ static void add_sky(const shade_context *c, const batch *b, uint64_t rays, backd
 }
 
 /* The paths that hit nothing, on their way. */
-static void add_endless(const shade_context *c, const batch *b, uint64_t rays, air_segments *on)
+static void add_endless(const shade_context *c, batch *b, uint64_t rays, air_segments *on)
 {
     on->on.count = 0;
     for (; rays; rays &= rays - 1)
@@ -384,7 +397,7 @@ static void add_endless(const shade_context *c, const batch *b, uint64_t rays, a
     air_measure(c, on);
 }
 
-void air_background(shade_context *c, const batch *b, uint64_t rays, colour *out)
+void air_background(shade_context *c, batch *b, uint64_t rays, colour *out)
 {
     const model *m = c->scene->model;
     backdrop seen[BATCH_MAX];

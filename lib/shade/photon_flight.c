@@ -112,15 +112,12 @@ static void arrive(flight *f, surfaces *on)
 
     for (uint32_t i = 0; i < on->count; i++) {
         surface *s = &on->at[i];
-        path *p = &on->dimmed[i];
-
+        path *p = s->from;
         const double far = s->at->crossing.t * sqrt(pov_dot(s->ray->dir, s->ray->dir));
 
-        *p = *s->from;
         if (f->tracer->context.scene->plan->media)
             cross_media(f, s, p, far);
         p->travelled += far;
-        s->from = p;
         f->entered = f->entered || (p->struck && !p->mirrored);
         if (p->struck && f->out && s->appearance->lit && !(model_leaf(m, s->at->object)->flags & PHOTON_IGNORES))
             deposit(f, s, lanes_at(&on->geometry.to.normal, i));
@@ -156,7 +153,7 @@ static void fly_layers(flight *f)
     }
 }
 
-static void fly_batch(flight *f, const batch *b, colour *unused)
+static void fly_batch(flight *f, batch *b, colour *unused)
 {
     pov_tracer *t = f->tracer;
     shade_context *c = &t->context;
@@ -182,7 +179,7 @@ static void fly(flight *f, uint32_t first, uint32_t n)
     pov_tracer *t = f->tracer;
     shade_context *c = &t->context;
     const photon_chunk *chunk = f->chunk;
-    const batch *b = &t->camera;
+    batch *b = &t->camera;
     colour unused[BATCH_MAX];
     emission_batch e;
 

@@ -60,7 +60,7 @@ static bool any_coincident(const batch *b)
 /* ---- what rays hit ---- */
 
 /* Set the n-th surface, which is `at`, to that of ray i. */
-static inline void place(surfaces *s, surface *at, const batch *b, uint32_t i, uint32_t n)
+static inline void place(surfaces *s, surface *at, batch *b, uint32_t i, uint32_t n)
 {
     at->from = &b->paths[i];
     at->ray = b->rays[i];
@@ -118,9 +118,8 @@ static double distance_of(const surface *s)
 }
 
 /* Fog, rainbows and media on the way to the surface. */
-static void dim(shade_context *c, surfaces *s, surface *at, colour *out)
+static void dim(shade_context *c, const surface *at, colour *out)
 {
-    path *behind = &s->dimmed[at - s->at];
     air_segments on;
 
     if (!c->scene->dims || c->photons_fly)
@@ -128,12 +127,11 @@ static void dim(shade_context *c, surfaces *s, surface *at, colour *out)
     on.on.count = 0;
     air_add(&on, at->from, at->ray, distance_of(at));
     air_measure(c, &on);
-    air_cross(c, &on, !is_unseen(c->scene, at->from, at->at->object), behind, out);
-    at->from = behind;
+    air_cross(c, &on, !is_unseen(c->scene, at->from, at->at->object), out);
 }
 
-/* The same for all rays that hit something, of which none starts on coincident surfaces: dimmed paths in their order. */
-SIMD_NOINLINE static void dim_all(shade_context *c, surfaces *s, const batch *b, uint64_t found, colour *out)
+/* The same for all rays that hit something, of which none starts on coincident surfaces. */
+SIMD_NOINLINE static void dim_all(shade_context *c, const surfaces *s, batch *b, uint64_t found, colour *out)
 {
     uint64_t seen = ~(uint64_t)0;
     air_segments on;
@@ -149,18 +147,18 @@ SIMD_NOINLINE static void dim_all(shade_context *c, surfaces *s, const batch *b,
         air_add(&on, &b->paths[i], b->rays[i], s->hits[i].crossing.t);
     }
     air_measure(c, &on);
-    air_cross(c, &on, seen, s->dimmed, out);
+    air_cross(c, &on, seen, out);
 }
 
 /* Intersect rays, some of which start on coincident surfaces. */
-static uint32_t find_each(shade_context *c, surfaces *s, const batch *b, colour *out)
+static uint32_t find_each(shade_context *c, surfaces *s, batch *b, colour *out)
 {
     uint32_t n = 0;
 
     for (uint32_t i = 0; i < b->count; i++) {
         place(s, &s->at[n], b, i, n);
         if (hit_single(c, &s->at[n])) {
-            dim(c, s, &s->at[n], out);
+            dim(c, &s->at[n], out);
             n += is_kept(c, b, &s->at[n], true, shading_constant(c->scene, s->at[n].at->object), out);
         } else if (!c->photons_fly) {
             air_background(c, b, (uint64_t)1 << i, out);
@@ -171,7 +169,7 @@ static uint32_t find_each(shade_context *c, surfaces *s, const batch *b, colour 
 
 /* Add the background for rays that hit nothing. All camera rays see the same, and are the first to add to their
  * colours. */
-static void add_background(shade_context *c, const batch *b, uint64_t rays, colour *out)
+static void add_background(shade_context *c, batch *b, uint64_t rays, colour *out)
 {
     const colour background = c->scene->model->background;
     colour seen = colour_of(0.0f, 0.0f, 0.0f);
@@ -217,13 +215,13 @@ static bool are_alike(const surfaces *s)
     return !others;
 }
 
-void surfaces_find(shade_context *c, surfaces *s, const batch *b, colour *out)
+void surfaces_find(shade_context *c, surfaces *s, batch *b, colour *out)
 {
     const bool special = any_special(c, b), dims = special && c->scene->dims && !c->photons_fly;
     const names by_name = names_of(c->scene);
     surface *at = s->at;
     uint64_t found, rest;
-    uint32_t n = 0, k = 0;
+    uint32_t n = 0;
     bool others = false;
 
     if (c->coincident_sets.count > 0 && any_coincident(b)) {
@@ -235,12 +233,10 @@ void surfaces_find(shade_context *c, surfaces *s, const batch *b, colour *out)
     add_background(c, b, ~found & ~(uint64_t)0 >> (BATCH_MAX - b->count), out);
     if (dims)
         dim_all(c, s, b, found, out);
-    for (rest = found; rest; rest &= rest - 1, k++) {
+    for (rest = found; rest; rest &= rest - 1) {
         const uint32_t i = first_of64(rest);
 
         place(s, at, b, i, n);
-        if (dims)
-            at->from = &s->dimmed[k];
         if (is_kept(c, b, at, special, names_appearance(&by_name, s->hits[i].object), out)) {
             others |= at->appearance != s->at[0].appearance;
             at++;

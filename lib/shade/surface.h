@@ -8,7 +8,7 @@
 
 /* A hit, seen from the ray's start. */
 typedef struct surface {
-    const path *from;
+    path *from;
     const pov_ray *ray;          /* the path's */
     hit *at;
     const appearance *appearance;
@@ -50,7 +50,6 @@ typedef struct surfaces {
     uint8_t interface[BATCH_MAX];   /* by surface; see interface.h */
     dielectric_crossing crossing[BATCH_MAX];
     reflectances reflectances;
-    path dimmed[BATCH_MAX];      /* where there is fog: the paths as they arrive */
 } surfaces;
 
 /* What goes on from surface i. */
@@ -63,8 +62,8 @@ static inline onward surfaces_onward(const surfaces *s, uint32_t i)
 }
 
 /* Find the surfaces that the batch's rays hit and that need more than their emission. Emission, and the background
- * where rays hit nothing, is added to out. */
-void surfaces_find(shade_context *c, surfaces *s, const batch *b, colour *out);
+ * where rays hit nothing, is added to out. Where there is fog, the paths become what they are behind it. */
+void surfaces_find(shade_context *c, surfaces *s, batch *b, colour *out);
 struct painted;
 
 /* Complete the points and normals, and the directions and appearances; but where some texture is made of several terms,

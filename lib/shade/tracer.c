@@ -194,7 +194,7 @@ static void shade_stacks(pov_tracer *t, colour *out)
 }
 
 /* What the surfaces give that a batch has met, and the paths that continue from them. */
-static void shade_found(pov_tracer *t, const batch *b, colour *out)
+static void shade_found(pov_tracer *t, batch *b, colour *out)
 {
     const int kind = surfaces_complete(&t->context, &t->surfaces, &t->painted);
 
@@ -209,7 +209,7 @@ static void shade_found(pov_tracer *t, const batch *b, colour *out)
 }
 
 /* Trace the paths of one batch to their hits, and spawn the paths that continue. */
-static void shade_batch(pov_tracer *t, const batch *b, colour *out)
+static void shade_batch(pov_tracer *t, batch *b, colour *out)
 {
     shade_context *c = &t->context;
 
@@ -284,6 +284,15 @@ static void begin_filled(pov_tracer *t, bool one_start)
     t->lanes_filled = one_start ? first : UINT32_MAX;
 }
 
+/* Fog has dimmed the paths of earlier rays. */
+static void clear_factors(batch *b, uint32_t n)
+{
+    for (uint32_t i = 0; i < n; i++) {
+        b->paths[i].factor.by = colour_of(1.0f, 1.0f, 1.0f);
+        b->paths[i].clear = 1.0f;
+    }
+}
+
 /* Bit i: ray i is valid, and its path begins. */
 static uint64_t begin_some(batch *b, const pov_ray *rays, uint32_t n)
 {
@@ -312,6 +321,8 @@ static uint64_t begin(pov_tracer *t, const pov_ray *rays, uint32_t n, unsigned k
         t->lanes_filled = 0;
     }
     t->camera_odd = !(known & TRACER_SOUND || are_rays(rays, n));
+    if (c->scene->dims)
+        clear_factors(b, n);
     b->count = n;
     for (uint32_t i = 0; i < n; i++)
         b->rays[i] = &rays[i];
@@ -427,7 +438,7 @@ pov_status tracer_error(const pov_tracer *t, pov_error *err)
 static void follow(pov_tracer *t, colour *out)
 {
     shade_context *c = &t->context;
-    const batch *b = &t->camera;
+    batch *b = &t->camera;
     const uint64_t most = most_rays(c->scene->model);
 
     t->follower_batches = 0;
