@@ -73,6 +73,38 @@ uint64_t bvh_take(bvh_traversal *t, const pov_ray *taken[BVH_LANES], uint8_t of[
     return derive_all(t, end);
 }
 
+/* Lanes past the end hold the last ray again. */
+static void put_axis(double *restrict to, const double *restrict from, uint32_t n)
+{
+    memcpy(to, from, n * sizeof *to);
+    for (uint32_t i = n; i < width(n); i++)
+        to[i] = from[n - 1];
+}
+
+static void put_vectors(double to[3][BVH_LANES], const vec_lanes *from, uint32_t n)
+{
+    put_axis(to[0], from->x, n);
+    put_axis(to[1], from->y, n);
+    put_axis(to[2], from->z, n);
+}
+
+uint64_t bvh_take_lanes(bvh_traversal *t, const bvh_ray_lanes *rays, uint32_t n, double limit, double end)
+{
+    put_vectors(t->soa.org, rays->org, n);
+    put_vectors(t->soa.org_lo, rays->org_lo, n);
+    put_vectors(t->soa.dir, rays->dir, n);
+    for (uint32_t i = 0; i < width(n); i++)
+        t->soa.excluded[i] = rays->excluded[i < n ? i : n - 1];
+    for (uint32_t i = 0; i < width(n); i++)
+        t->limit[i] = limit;
+    t->rays = t->soa.rays = NULL;
+    t->in = NULL;
+    t->lowered = 0;
+    t->count = n;
+    t->lanes = all_of(n);
+    return derive_all(t, end);
+}
+
 /* ---- groups ---- */
 
 /* Smaller groups of one octant are faster as single rays, and still smaller groups of any octants one after the
@@ -95,6 +127,26 @@ static void divide(const bvh *tree, const pov_ray *const *rays, uint32_t n, uint
     else
         for (i = 0; i < n; i++)
             of[bvh_octant(rays[i])] |= bit_of(i);
+}
+
+/* Of what some have and of what all have the highest bits are the signs. */
+SIMD_CLONES static bool is_one_sign(const double *restrict x, uint32_t n)
+{
+    int64_t any = 0, all = -1;
+
+    for (uint32_t i = 0; i < n; i++) {
+        int64_t bits;
+
+        memcpy(&bits, &x[i], sizeof bits);
+        any |= bits;
+        all &= bits;
+    }
+    return (any ^ all) >= 0;
+}
+
+bool bvh_are_packet(const bvh *tree, const vec_lanes *dir, uint32_t n)
+{
+    return n >= SHADOWS_LEAST && has_nodes(tree) && is_one_sign(dir->x, n) && is_one_sign(dir->y, n) && is_one_sign(dir->z, n);
 }
 
 /* Are there at least so many lanes? */

@@ -2,6 +2,7 @@
 #ifndef BVH_GROUP_H
 #define BVH_GROUP_H
 
+#include "base/lanes.h"
 #include "bvh/traverse.h"
 
 /* As a packet, interleaved, or one after the other. */
@@ -16,5 +17,13 @@ uint32_t bvh_divide(const bvh *tree, const bvh_kernels *by, const pov_ray *const
  * look up to `end`. Returns the lanes whose numbers are out of the range that filters and packets are promised. */
 uint64_t bvh_take(bvh_traversal *t, const pov_ray *taken[BVH_LANES], uint8_t of[BVH_LANES], const pov_ray *const *rays,
                   uint64_t which, double limit, double end);
+
+/* Rays by lane; `excluded` is that of pov_rays. */
+typedef struct bvh_ray_lanes { const vec_lanes *org, *org_lo, *dir; const uint32_t *excluded; } bvh_ray_lanes;
+
+/* Would so many rays to something be one packet in a tree? */
+bool bvh_are_packet(const bvh *tree, const vec_lanes *dir, uint32_t n);
+/* As bvh_take() of the first n, of which no records are made. */
+uint64_t bvh_take_lanes(bvh_traversal *t, const bvh_ray_lanes *rays, uint32_t n, double limit, double end);
 
 #endif

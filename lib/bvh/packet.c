@@ -200,14 +200,14 @@ static void fill_others(packet_state *c, uint64_t in)
 /* Transform each lane to the frame; returns the lanes that do not miss it. */
 static uint64_t enter_each(packet_state *c, uint32_t frame, uint64_t lanes, uint64_t *blind)
 {
-    const bvh_traversal *traversal = c->traversal;
+    bvh_traversal *traversal = c->traversal;
     uint64_t in = 0;
     bvh_local l;
     uint32_t i;
 
     for (; lanes; lanes &= lanes - 1) {
         i = first_of64(lanes);
-        if (!bvh_enter(&c->tree->frames[frame], traversal->rays[i], traversal->length[i], traversal->soa.per_length[i], &l))
+        if (!bvh_enter(&c->tree->frames[frame], bvh_ray(traversal, i), traversal->length[i], traversal->soa.per_length[i], &l))
             continue;
         if (l.slack > BVH_SLACK) {
             *blind |= (uint64_t)1 << i;

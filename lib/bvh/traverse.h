@@ -31,7 +31,8 @@ enum { BVH_LANES = POV_RAYS_MAX };
 /* State of a traversal of up to BVH_LANES rays; queries append their own members. */
 typedef struct bvh_traversal {
     const bvh *tree;
-    const pov_ray *const *rays;
+    const pov_ray *const *rays;  /* NULL: they are not made yet */
+    void (*make_rays)(struct bvh_traversal *traversal);
     uint32_t count;
     uint64_t lanes;              /* active lanes */
     SIMD_ALIGNED pov_rays soa;   /* the rays as a structure of arrays; lanes from count to the next multiple of eight
@@ -43,6 +44,14 @@ typedef struct bvh_traversal {
     /* Intersect a leaf's contents with some lanes. Returns the lanes that may end. */
     uint64_t (*leaf)(struct bvh_traversal *traversal, const void *leaf, uint64_t lanes);
 } bvh_traversal;
+
+/* A lane's ray. */
+static inline const pov_ray *bvh_ray(bvh_traversal *t, uint32_t lane)
+{
+    if (!t->rays)
+        t->make_rays(t);
+    return t->rays[lane];
+}
 
 /* Visit the leaves that lanes may hit before their limits. Bit i: a leaf ended lane i. */
 typedef uint64_t bvh_traverse_fn(bvh_traversal *traversal);

@@ -34,7 +34,7 @@ TRAVERSE_TARGET static inline bool TRAVERSE_NAME(enter)(bvh_traversal *of, uint3
     const bvh_frame *in = &of->tree->frames[frame];
     bvh_local l;
 
-    if (!bvh_enter(in, of->rays[lane], of->length[lane], of->soa.per_length[lane], &l))
+    if (!bvh_enter(in, bvh_ray(of, lane), of->length[lane], of->soa.per_length[lane], &l))
         return false;
     *limit = bvh_limit(l.scale, l.shift, of->limit[lane]);
     TRAVERSE_SPREAD(&l, *limit, spread);

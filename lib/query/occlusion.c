@@ -59,10 +59,12 @@ static bool ask_some(packet *p, uint32_t i, const leaf_batch *r, uint32_t mask)
     return ended;
 }
 
+static inline uint32_t origin_of(const packet *p, uint32_t i) { return p->by_lane ? p->by_lane->origin[i] : p->rays[i]->origin_surface; }
+
 /* Does it definitely block light? Of filters only narrow() knows the root that a ray starts on. */
-static inline bool is_blocked(const leaf_batch *r, const pov_candidate *m, uint32_t blocking, const pov_ray *ray)
+static inline bool is_blocked(const packet *p, const leaf_batch *r, const pov_candidate *m, uint32_t blocking)
 {
-    return m->definite && (blocking >> m->lane & 1) && (r->object[m->lane] != ray->origin_surface || r->shape->narrow);
+    return m->definite && (blocking >> m->lane & 1) && (r->object[m->lane] != origin_of(p, m->ray) || r->shape->narrow);
 }
 
 /* Must a possible hit of a block be intersected? Its ray's hits are initialised then. */
@@ -145,6 +147,15 @@ static uint64_t take_trees(packet *p, const leaf_batch *r, uint32_t n, uint64_t 
     return ended | ask_tree(p, r, &open, lanes, p->any_blocks || (r->opaque >> m[-1].lane & 1));
 }
 
+/* Are some candidates left for what needs their rays? */
+static bool any_open(const leaf_batch *r, const pov_candidate *m, uint32_t n, uint64_t ended)
+{
+    for (; n > 0; m++, n--)
+        if (!(ended >> m->ray & 1) && (r->casts >> m->lane & 1))
+            return true;
+    return false;
+}
+
 static uint64_t filter(packet *p, const leaf_batch *r, uint64_t lanes)
 {
     const pov_candidate *const m = p->candidates;
@@ -154,7 +165,9 @@ static uint64_t filter(packet *p, const leaf_batch *r, uint64_t lanes)
     uint32_t i;
 
     for (i = 0; i < n; i++)
-        ended |= (uint64_t)is_blocked(r, &m[i], blocking, p->rays[m[i].ray]) << m[i].ray;
+        ended |= (uint64_t)is_blocked(p, r, &m[i], blocking) << m[i].ray;
+    if (p->by_lane && any_open(r, m, n, ended))
+        packet_make_rays(p);
     if (n > 1 && (r->flags & LEAF_INSTANCED) && !p->from)
         return ended | take_instanced(p, r, n, ended);
     if (n > 1 && r->shape == &csg_class && !p->from)
@@ -197,6 +210,13 @@ static uint64_t ask_together(packet *p, const leaf_batch *r, uint64_t lanes)
     return ended;
 }
 
+/* Does a batch's block filter rays by lane, however many lanes there are? */
+static inline bool takes_lanes(const leaf_batch *r, uint64_t lanes)
+{
+    return (r->flags & (LEAF_PACKED | LEAF_INSTANCED | LEAF_RESERVED)) == (LEAF_PACKED | LEAF_RESERVED) && r->shape != &csg_class &&
+           (r->count > 1 || (lanes & (lanes - 1)) != 0);
+}
+
 /* Have all rays left the only shape of a batch, so that none can hit it? */
 static inline bool is_left(const packet *p, const leaf_batch *r)
 {
@@ -214,6 +234,8 @@ static uint64_t leaf_occlusion(bvh_traversal *traversal, const void *leaf, uint6
 
         if (r->casts == 0 || is_left(p, r))
             continue;
+        if (p->by_lane && !takes_lanes(r, lanes))
+            packet_make_rays(p);
         exact = exact_of(p, r, lanes);
         if (lanes & ~exact)
             ended |= filter(p, r, lanes & ~exact);
@@ -389,6 +411,23 @@ uint64_t query_occlusion(const world *w, query_context *k, const pov_ray *const 
             note_exits(&p);
         dark |= packet_end_light(&p, packet_occlusion(&p, groups[i].traverse), out);
     }
+    return all_of(n) & ~dark;
+}
+
+uint64_t query_occlusion_lanes(const world *w, query_context *k, const lane_rays *rays, uint32_t n, double tmax, occlusion *out)
+{
+    uint64_t dark;
+    packet p;
+
+    if (!w->has_tree || !bvh_are_packet(&w->tree, rays->lanes.dir, n))
+        return query_occlusion(w, k, rays->make(rays->user), n, tmax, out);
+    packet_begin_lanes(&p, w, k, rays, n, tmax);
+    if (p.exact)
+        packet_make_rays(&p);
+    p.slack = packet_near_end(tmax);
+    p.any_blocks = true;
+    out->crossed = out->near_end = 0;
+    dark = packet_end_light(&p, packet_occlusion(&p, w->kernels->any_packet), out);
     return all_of(n) & ~dark;
 }
 

@@ -1,7 +1,6 @@
 #include "query/packet.h"
 
-void packet_begin(packet *p, const world *w, query_context *k, const pov_ray *const *rays, uint64_t which, double tmax,
-                  double end)
+static void begin(packet *p, const world *w, query_context *k, double tmax)
 {
     p->traversal.tree = &w->tree;
     p->world = w;
@@ -12,7 +11,41 @@ void packet_begin(packet *p, const world *w, query_context *k, const pov_ray *co
     p->from = k->csg.from = NULL;
     k->csg.light = false;
     p->candidates_only = false;
+    p->by_lane = NULL;
+}
+
+void packet_begin(packet *p, const world *w, query_context *k, const pov_ray *const *rays, uint64_t which, double tmax,
+                  double end)
+{
+    begin(p, w, k, tmax);
     p->exact = bvh_take(&p->traversal, p->rays, p->of, rays, which, tmax, end);
+}
+
+/* As bvh_take() does, lanes past the end hold the last ray again. */
+void packet_make_rays(packet *p)
+{
+    const uint32_t n = p->traversal.count;
+    const pov_ray *const *made;
+
+    if (!p->by_lane)
+        return;
+    made = p->by_lane->make(p->by_lane->user);
+    for (uint32_t i = 0; i < WORLD_MANY; i++)
+        p->rays[i] = made[i < n ? i : n - 1];
+    p->traversal.rays = p->traversal.soa.rays = p->rays;
+    p->by_lane = NULL;
+}
+
+static void make_rays(bvh_traversal *t) { packet_make_rays((packet *)(void *)t); }
+
+void packet_begin_lanes(packet *p, const world *w, query_context *k, const lane_rays *rays, uint32_t n, double tmax)
+{
+    begin(p, w, k, tmax);
+    p->by_lane = rays;
+    p->traversal.make_rays = make_rays;
+    for (uint32_t i = 0; i < n; i++)
+        p->of[i] = (uint8_t)i;
+    p->exact = bvh_take_lanes(&p->traversal, &rays->lanes, n, tmax, tmax);
 }
 
 uint64_t packet_traverse(packet *p, bvh_traverse_fn *traverse, bool nearest)

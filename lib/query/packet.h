@@ -16,6 +16,7 @@ typedef struct packet {
     const world *world;
     query_context *context;
     const pov_ray *rays[WORLD_MANY];
+    const lane_rays *by_lane;    /* what `rays` are made of as soon as one is needed; NULL: they are there */
     uint8_t of[WORLD_MANY];      /* by lane: index of the caller's ray */
     double tmax, slack;          /* slack: of pov_hits, for light */
     uint64_t exact;              /* lanes that filters cannot take */
@@ -136,6 +137,10 @@ static inline uint32_t packet_divide(const world *w, const pov_ray *const *rays,
 /* Begin with the rays that `which` selects; filters look up to `end`. */
 void packet_begin(packet *p, const world *w, query_context *k, const pov_ray *const *rays, uint64_t which, double tmax,
                   double end);
+/* The same with rays by lane, which make one packet. */
+void packet_begin_lanes(packet *p, const world *w, query_context *k, const lane_rays *rays, uint32_t n, double tmax);
+/* Make the records of rays by lane. */
+void packet_make_rays(packet *p);
 /* Traverse the lists and the tree. Returns the lanes that a leaf ended. */
 uint64_t packet_traverse(packet *p, bvh_traverse_fn *traverse, bool nearest);
 /* The nearest hits of all lanes, before coincident ones are resolved. */

@@ -4,6 +4,7 @@
 #ifndef QUERY_QUERY_H
 #define QUERY_QUERY_H
 
+#include "bvh/group.h"
 #include "bvh/shaft.h"
 #include "world/surface.h"
 
@@ -43,6 +44,16 @@ typedef struct occlusion {
 /* Bit i: nothing opaque is on ray i's open segment org .. org + tmax dir. Objects of no_shadow do not count. */
 uint64_t query_occlusion(const world *w, query_context *k, const pov_ray *const *rays, uint32_t n, double tmax,
                          occlusion *out);
+/* Rays by lane, of which records are made when something needs them; origin: the surfaces that they start on. */
+typedef struct lane_rays {
+    bvh_ray_lanes lanes;
+    const uint32_t *origin;
+    const pov_ray *const *(*make)(void *user);
+    void *user;
+} lane_rays;
+
+/* The same of n rays by lane, where whatever is there blocks light. */
+uint64_t query_occlusion_lanes(const world *w, query_context *k, const lane_rays *rays, uint32_t n, double tmax, occlusion *out);
 /* The same for one ray, the result of which takes the place of ray `which`: the direction counts in double-double, and so
  * do crossings. A surface at the end itself is not on the segment. */
 bool query_occlusion_exact(const world *w, query_context *k, const pov_ray *ray, uint32_t which, double tmax,

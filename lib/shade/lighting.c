@@ -8,11 +8,34 @@
 
 #include <string.h>
 
+/* Rays from the surfaces start alike for all lights. */
+void lighting_begin_rays(lighting *l)
+{
+    for (uint32_t i = 0; !l->begun && i < l->on->count; i++) {
+        const surface *s = &l->on->at[i];
+        pov_ray *ray = &l->own[i];
+
+        world_origin_put(ray, s->at);
+        world_origin_reflect(ray, s->at, 1.0);
+    }
+    l->begun = true;
+}
+
+void lighting_put_rays(lighting *l)
+{
+    lighting_begin_rays(l);
+    for (uint32_t k = 0; k < l->count; k++) {
+        const uint32_t i = l->of[k];
+
+        l->own[i].dir = lanes_at(l->dir, i);
+        l->rays[k] = &l->own[i];
+    }
+}
+
 /* Collect rays from lit surfaces that face the light and reflect any of it, without unpredictable branches. Returns the
  * number of surfaces that face the light. */
-static uint32_t aim(lighting *l, const finishes *f, const light_sample *s, const vec_lanes *dir)
+static uint32_t aim(lighting *l, const finishes *f, const light_sample *s)
 {
-    pov_ray *const own = l->own;
     const size_t lit_count = f->count;
     uint32_t front = 0;
     size_t count = 0;
@@ -20,8 +43,6 @@ static uint32_t aim(lighting *l, const finishes *f, const light_sample *s, const
     for (size_t k = 0; k < lit_count; k++) {
         const size_t i = f->lit[k];
 
-        own[i].dir = lanes_at(dir, (uint32_t)i);
-        l->rays[count] = &own[i];
         l->of[count] = (uint8_t)i;
         front += s->front[i];
         count += s->contributes[i];
@@ -43,6 +64,9 @@ static uint64_t trace(lighting *l, const scene_light *from, const light_lanes *i
 {
     const light_origin origin = light_own_origin(from->light);
 
+    if (!from->grid && shadow_is_by_lane(l, from->light))
+        return shadow_trace_lanes(l, shadow_end(from, in, &origin, false), through);
+    lighting_put_rays(l);
     return from->grid ? area_trace(l, from, in, through)
                       : shadow_trace(l, from->light, shadow_end(from, in, &origin, false), through);
 }
@@ -51,6 +75,7 @@ static void add_visible(lighting *l, const scene_light *from, const light_sample
 {
     colour through[BATCH_MAX];
 
+    l->dir = &in->dir;
     if (is_free(l, from->light) && from->light->through_count > 0)
         shadow_keep_crossing(l, from->light, in->tmax);
     if (is_free(l, from->light))
@@ -76,6 +101,9 @@ static bool arrive(lighting *l, const scene_light *from, light_sample *s, light_
 
     from->class->incident(from->light, &origin, &at, in);
     grazing = brdf_cosines(s, g, &in->dir, lanes_whole(at.n));
+    l->sides = sided || grazing;
+    if (l->sides)
+        lighting_begin_rays(l);
     if (sided)
         shadow_name_sides(l, l->finishes.lit, l->finishes.count, &in->dir);
     else if (grazing)
@@ -105,7 +133,7 @@ static void add_light_source(lighting *l, const scene_light *from)
         photons_aim(c, (size_t)(from - c->scene->lights));
     named = arrive(l, from, &s, &in);
     reflect(l, from, &l->finishes, &s, &in);
-    front = aim(l, &l->finishes, &s, &in.dir);
+    front = aim(l, &l->finishes, &s);
     c->counts.shadow_behind += l->finishes.count - front;
     c->counts.shadow_idle += front - l->count;
     if (l->count > 0)
@@ -115,27 +143,14 @@ static void add_light_source(lighting *l, const scene_light *from)
     c->failed = c->failed || query_context_failed(c->context);
 }
 
-/* Rays from the lit surfaces start alike for all lights. */
-static void begin_rays(lighting *l)
-{
-    for (uint32_t k = 0; k < l->finishes.count; k++) {
-        const uint32_t i = l->finishes.lit[k];
-        const surface *s = &l->on->at[i];
-        pov_ray *ray = &l->own[i];
-
-        world_origin_put(ray, s->at);
-        world_origin_reflect(ray, s->at, 1.0);
-    }
-}
-
 /* Collect the lit surfaces. */
 static void begin(lighting *l, shade_context *c, surfaces *on)
 {
     l->context = c;
     l->on = on;
     l->glossy = on->count == 0 || on->at[0].from->gathers == 0;   /* paths of a batch have the same history */
+    l->begun = l->named = false;
     brdf_begin(&l->finishes, c->scene->model, on, 0);
-    begin_rays(l);
 }
 
 /* Of the lit surfaces only those that this light shines on. */
@@ -298,7 +313,7 @@ void light_gather(lighting *l, shade_context *c, surfaces *on)
 typedef struct known_rays { uint64_t asked, open; colour through[BATCH_MAX]; } known_rays;
 
 /* Collect rays from surfaces whose layer reflects any of the light, but for those that were asked. */
-static void aim_others(lighting *l, const finishes *f, const light_sample *s, const vec_lanes *dir, known_rays *known)
+static void aim_others(lighting *l, const finishes *f, const light_sample *s, known_rays *known)
 {
     uint32_t front = 0, contributing = 0;
 
@@ -311,8 +326,6 @@ static void aim_others(lighting *l, const finishes *f, const light_sample *s, co
         if (!s->contributes[i] || (known->asked >> i & 1))
             continue;
         known->asked |= (uint64_t)1 << i;
-        l->own[i].dir = lanes_at(dir, i);
-        l->rays[l->count] = &l->own[i];
         l->of[l->count++] = (uint8_t)i;
     }
     l->context->counts.shadow_behind += f->count - front;
@@ -334,16 +347,18 @@ static void ask(lighting *l, const scene_light *from, const light_lanes *in, kno
 static void add_to_layers(lighting *l, const scene_light *from, lit_stacks *to)
 {
     shade_context *c = l->context;
-    known_rays known = { 0, 0, { { 0.0f, 0.0f, 0.0f } } };
+    known_rays known;
     light_sample s;
     light_lanes in;
     const bool named = arrive(l, from, &s, &in), free = is_free(l, from->light);
 
+    known.asked = known.open = 0;
+    l->dir = &in.dir;
     for (uint32_t k = 0; k < to->levels; k++) {
         const finishes *f = &to->finishes[k];
 
         reflect(l, from, f, &s, &in);
-        aim_others(l, f, &s, &in.dir, &known);
+        aim_others(l, f, &s, &known);
         if (!free)
             ask(l, from, &in, &known);
         for (uint32_t i = 0; i < f->count; i++) {
@@ -371,6 +386,7 @@ static void begin_stacks(lighting *l, shade_context *c, surfaces *on, lit_stacks
     l->context = c;
     l->on = on;
     l->glossy = true;
+    l->begun = l->named = false;
     l->finishes.kinds = l->finishes.count = 0;
     out->levels = 1;
     for (uint32_t i = 0; i < on->count; i++) {
@@ -391,7 +407,6 @@ static void begin_stacks(lighting *l, shade_context *c, surfaces *on, lit_stacks
     }
     for (; lit; lit &= lit - 1)
         l->finishes.lit[l->finishes.count++] = (uint8_t)first_of64(lit);
-    begin_rays(l);
 }
 
 void light_gather_stacks(lighting *l, shade_context *c, surfaces *on, lit_stacks *out)

@@ -11,7 +11,12 @@ typedef struct lighting {
     surfaces *on;
     bool glossy;                 /* with highlights */
     uint32_t count;
-    const pov_ray *rays[BATCH_MAX];
+    const pov_ray *rays[BATCH_MAX];   /* those to the light, once they are put */
+    const vec_lanes *dir;        /* their directions, by lane */
+    bool begun;                  /* their starts are in `own` */
+    bool named;                  /* `origin` and `excluded` are those of the surfaces: see lane_rays */
+    bool sides;                  /* what is known of the sides that rays go to is in `own` alone */
+    uint32_t origin[BATCH_MAX], excluded[BATCH_MAX];
     uint8_t of[BATCH_MAX];       /* lanes of their origin surfaces */
     uint8_t seen[BATCH_MAX];     /* the same of all rays, while some of them are traced */
     finishes finishes;
@@ -36,6 +41,9 @@ static inline light_points lighting_points(const lighting *l)
     return at;
 }
 
+/* Put the starts of rays; those of one light, with their directions. */
+void lighting_begin_rays(lighting *l);
+void lighting_put_rays(lighting *l);
 /* Add diffuse light and highlights of all visible lights to `lit` of each surface. */
 void light_gather(lighting *l, shade_context *c, surfaces *on);
 /* The same, where some are flat stacks, to each of their layers. */

@@ -77,6 +77,49 @@ static uint64_t trace(const lighting *l, segment_end end, colour *through)
     return transmittance_find(c, l->rays, from, l->count, end, through);
 }
 
+/* ---- by lane ---- */
+
+bool shadow_is_by_lane(const lighting *l, const light *from)
+{
+    const shade_context *c = l->context;
+
+    return l->count == l->on->count && !l->sides && !l->on->shared && from->through_count == 0 && !(from->flags & LIGHT_ATTENUATED) &&
+           c->coincident_sets.count == 0 && !c->scene->plan->coloured_shadows;
+}
+
+/* As world_origin_reflect() names them, and ray_soa_excluded(). */
+static void name_lanes(lighting *l)
+{
+    for (uint32_t i = 0; !l->named && i < l->on->count; i++) {
+        const hit *h = l->on->at[i].at;
+        const uint32_t flags = h->crossing.mark.flags | (h->outside ? POV_MARK_OUTWARD : 0);
+
+        l->origin[i] = h->object;
+        l->excluded[i] = flags & POV_MARK_OUTWARD ? h->object : POV_NO_OWNER;
+    }
+    l->named = true;
+}
+
+static const pov_ray *const *make_rays(void *user)
+{
+    lighting *l = user;
+
+    lighting_put_rays(l);
+    return l->rays;
+}
+
+uint64_t shadow_trace_lanes(lighting *l, segment_end end, colour *through)
+{
+    const incidence *at = &l->on->geometry.to;
+    const lane_rays rays = { { &at->point, &at->point_lo, l->dir, l->excluded }, l->origin, make_rays, l };
+
+    name_lanes(l);
+    l->context->counts.shadow += l->count;
+    return transmittance_find_lanes(l->context, &rays, l->count, end, through);
+}
+
+/* ---- through other objects, and in the air ---- */
+
 /* Shorten rays to where they first cross what a light is projected through. Returns those that do. */
 static uint64_t shorten(lighting *l, const light *from, double tmax)
 {
@@ -90,8 +133,10 @@ static uint64_t shorten(lighting *l, const light *from, double tmax)
 
 void shadow_keep_crossing(lighting *l, const light *from, double tmax)
 {
-    uint64_t through = shorten(l, from, tmax);
+    uint64_t through;
 
+    lighting_put_rays(l);
+    through = shorten(l, from, tmax);
     for (l->count = 0; through; through &= through - 1)
         l->of[l->count++] = l->of[first_of64(through)];
 }

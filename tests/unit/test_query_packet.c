@@ -111,6 +111,30 @@ static void same_light(subject *s, const pov_ray *const *rays, uint32_t n, doubl
     }
 }
 
+/* ---- rays by lane ---- */
+
+static const pov_ray *const *make_known(void *user) { return user; }
+
+/* Light by lane is that of records, where whatever is there blocks it. */
+static void same_by_lane(subject *s, const pov_ray **rays, uint32_t n, double tmax)
+{
+    uint32_t starts[WORLD_MANY], excluded[WORLD_MANY];
+    vec_lanes org, org_lo, dir;
+    const lane_rays lanes = { { &org, &org_lo, &dir, excluded }, starts, make_known, rays };
+    occlusion records, by_lane;
+
+    for (uint32_t i = 0; i < n; i++) {
+        lanes_put(&org, i, rays[i]->org);
+        lanes_put(&org_lo, i, rays[i]->org_lo);
+        lanes_put(&dir, i, rays[i]->dir);
+        starts[i] = rays[i]->origin_surface;
+        excluded[i] = rays[i]->origin_mark.flags & POV_MARK_OUTWARD ? starts[i] : POV_NO_OWNER;
+    }
+    assert_true(query_occlusion(s->world, s->context, rays, n, tmax, &records) ==
+                query_occlusion_lanes(s->world, s->context, &lanes, n, tmax, &by_lane));
+    assert_true(records.near_end == by_lane.near_end);
+}
+
 /* What a ray knows of the side that it goes to saves questions and changes no answer. */
 static void same_unnamed(subject *s, const pov_ray *const *rays, uint32_t n)
 {
@@ -208,6 +232,8 @@ static int same_packet(subject *s, const pov_ray *rays, uint32_t n, pov_vec3 lam
         if (lit > 0) {
             same_nearest(s, lights, lit, hits);
             same_light(s, lights, lit, 1.0);
+            if (!s->world->plan.coloured_shadows)
+                same_by_lane(s, lights, lit, 1.0);
             same_unnamed(s, lights, lit);
         }
     }
