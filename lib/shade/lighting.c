@@ -309,8 +309,8 @@ void light_gather(lighting *l, shade_context *c, surfaces *on)
 
 /* ---- stacks ---- */
 
-/* What is known of the rays to one light, by lane: those that were asked, those not occluded, and what they leave of it. */
-typedef struct known_rays { uint64_t asked, open; colour through[BATCH_MAX]; } known_rays;
+/* What is known of the rays to one light, by lane: those that were asked, those not occluded (1), and what they leave of it. */
+typedef struct known_rays { uint64_t asked; uint32_t open[BATCH_MAX]; colour_lanes through; } known_rays;
 
 /* Collect rays from surfaces whose layer reflects any of the light, but for those that were asked. */
 static void aim_others(lighting *l, const finishes *f, const light_sample *s, known_rays *known)
@@ -339,20 +339,59 @@ static void ask(lighting *l, const scene_light *from, const light_lanes *in, kno
     for (uint64_t lit = l->count > 0 ? trace(l, from, in, through) : 0; lit; lit &= lit - 1) {
         const uint32_t lane = l->of[first_of64(lit)];
 
-        known->through[lane] = through[first_of64(lit)];
-        known->open |= (uint64_t)1 << lane;
+        const colour left = through[first_of64(lit)];
+
+        known->through.red[lane] = left.r;
+        known->through.green[lane] = left.g;
+        known->through.blue[lane] = left.b;
+        known->open[lane] = 1;
+    }
+}
+
+/* Light that reaches all, unless `known` says what reaches each. */
+static void begin_known(known_rays *known, bool free, uint32_t n)
+{
+    known->asked = 0;
+    for (uint32_t i = 0; i < n; i++) {
+        known->open[i] = free;
+        known->through.red[i] = known->through.green[i] = known->through.blue[i] = 1.0f;
+    }
+}
+
+/* 1: the surface is lit. */
+static void find_lit(const finishes *f, uint32_t n, uint32_t *out)
+{
+    for (uint32_t i = 0; i < n; i++)
+        out[i] = f->count == f->on->count && i < f->count;
+    for (uint32_t k = 0; f->count < f->on->count && k < f->count; k++)
+        out[f->lit[k]] = 1;
+}
+
+/* Add what a layer reflects. Lanes that are not lit are left as they are. */
+SIMD_CLONES static void add_lanes(const light_sample *restrict s, const known_rays *restrict known, const uint32_t *restrict is_lit, uint32_t n,
+                                  colour_lanes *restrict to)
+{
+    for (uint32_t i = 0; i < n; i++) {
+        const uint32_t adds = is_lit[i] & s->contributes[i] & known->open[i];
+        const float r = s->red[i] * known->through.red[i], g = s->green[i] * known->through.green[i], b = s->blue[i] * known->through.blue[i];
+
+        to->red[i] += adds ? r : 0.0f;
+        to->green[i] += adds ? g : 0.0f;
+        to->blue[i] += adds ? b : 0.0f;
     }
 }
 
 static void add_to_layers(lighting *l, const scene_light *from, lit_stacks *to)
 {
     shade_context *c = l->context;
+    uint32_t is_lit[BATCH_MAX];
     known_rays known;
     light_sample s;
     light_lanes in;
     const bool named = arrive(l, from, &s, &in), free = is_free(l, from->light);
+    const uint32_t n = lanes_whole(l->on->count);
 
-    known.asked = known.open = 0;
+    begin_known(&known, free, n);
     l->dir = &in.dir;
     for (uint32_t k = 0; k < to->levels; k++) {
         const finishes *f = &to->finishes[k];
@@ -361,16 +400,8 @@ static void add_to_layers(lighting *l, const scene_light *from, lit_stacks *to)
         aim_others(l, f, &s, &known);
         if (!free)
             ask(l, from, &in, &known);
-        for (uint32_t i = 0; i < f->count; i++) {
-            const uint32_t lane = f->lit[i];
-            colour given = brdf_at(&s, lane);
-
-            if (!s.contributes[lane] || !(free || known.open >> lane & 1))
-                continue;
-            if (!free)
-                given = colour_mul(given, known.through[lane]);
-            to->lit[k][lane] = colour_add(to->lit[k][lane], given);
-        }
+        find_lit(f, n, is_lit);
+        add_lanes(&s, &known, is_lit, n, &to->lit[k]);
     }
     if (named)
         shadow_name_origins(l, NULL);
@@ -389,7 +420,7 @@ static void begin_stacks(lighting *l, shade_context *c, surfaces *on, lit_stacks
     l->begun = l->named = false;
     l->finishes.kinds = l->finishes.count = 0;
     out->levels = 1;
-    for (uint32_t i = 0; i < on->count; i++) {
+    for (uint32_t i = 0; i < (on->alike ? 1 : on->count); i++) {
         const appearance *a = on->at[i].appearance;
 
         if (a != last && a->stack && a->stack->count > out->levels)
@@ -401,9 +432,11 @@ static void begin_stacks(lighting *l, shade_context *c, surfaces *on, lit_stacks
 
         brdf_begin(f, c->scene->model, on, k);
         l->finishes.kinds |= f->kinds;
-        for (uint32_t i = 0; i < f->count; i++)
+        if (f->count > 0 && f->count == on->count)
+            lit = ~(uint64_t)0 >> (BATCH_MAX - on->count);
+        for (uint32_t i = 0; f->count < on->count && i < f->count; i++)
             lit |= (uint64_t)1 << f->lit[i];
-        memset(out->lit[k], 0, on->count * sizeof out->lit[k][0]);
+        memset(&out->lit[k], 0, sizeof out->lit[k]);
     }
     for (; lit; lit &= lit - 1)
         l->finishes.lit[l->finishes.count++] = (uint8_t)first_of64(lit);

@@ -25,10 +25,14 @@ typedef struct lighting {
                                   * BATCH_MAX rays that is unused until all lights are done */
 } lighting;
 
+typedef struct SIMD_ALIGNED colour_lanes { float red[BATCH_MAX], green[BATCH_MAX], blue[BATCH_MAX]; } colour_lanes;
+
+static inline colour colour_lane(const colour_lanes *l, uint32_t i) { return colour_of(l->red[i], l->green[i], l->blue[i]); }
+
 /* Stacks of layers that are lit at one hit, and what each of their layers reflects, by lane. */
 typedef struct lit_stacks {
     finishes finishes[STACK_LEVELS];
-    colour lit[STACK_LEVELS][BATCH_MAX];
+    colour_lanes lit[STACK_LEVELS];
     uint32_t levels;
 } lit_stacks;
 

@@ -173,7 +173,7 @@ static void add_stack(const surface *s, const lit_stacks *from, uint32_t lane, c
     for (uint32_t k = 0; k < of->count; k++) {
         const stack_layer *one = &of->layers[k];
 
-        accumulate(s->from, colour_mul(one->of.by, colour_add(one->appearance.emitted, from->lit[k][lane])), out);
+        accumulate(s->from, colour_mul(one->of.by, colour_add(one->appearance.emitted, colour_lane(&from->lit[k], lane))), out);
     }
 }
 
@@ -188,7 +188,7 @@ static void shade_stacks(pov_tracer *t, colour *out)
         if (s->at[i].appearance->stack)
             add_stack(&s->at[i], t->stacks, i, out);
         else
-            accumulate(s->at[i].from, colour_add(s->at[i].appearance->emitted, t->stacks->lit[0][i]), out);
+            accumulate(s->at[i].from, colour_add(s->at[i].appearance->emitted, colour_lane(&t->stacks->lit[0], i)), out);
     }
     scatter(&t->context, s, &t->queue);
 }
