@@ -109,8 +109,8 @@ static uint64_t take_instanced(packet *p, const leaf_batch *r, uint32_t n, uint6
     return ended;
 }
 
-/* Rays that may hit one tree of shapes, so that none occurs twice. Returns the lanes whose paths end here. */
-static uint64_t ask_tree(packet *p, const leaf_batch *r, pairs *open, const uint8_t *lanes, bool blocks)
+/* Rays that may hit one shape, so that none occurs twice. Returns the lanes whose paths end here. */
+static uint64_t ask_one_shape(packet *p, const leaf_batch *r, pairs *open, const uint8_t *lanes, bool blocks)
 {
     uint64_t ended = 0;
 
@@ -122,8 +122,8 @@ static uint64_t ask_tree(packet *p, const leaf_batch *r, pairs *open, const uint
     return ended;
 }
 
-/* The first n possible hits of a batch of trees, whose rays are asked side by side. */
-static uint64_t take_trees(packet *p, const leaf_batch *r, uint32_t n, uint64_t ended)
+/* The first n possible hits of a batch, shape by shape: rays that may hit one are asked side by side. */
+static uint64_t take_shapes(packet *p, const leaf_batch *r, uint32_t n, uint64_t ended)
 {
     const pov_candidate *m = p->candidates;
     uint8_t lanes[WORLD_MANY];
@@ -135,7 +135,7 @@ static uint64_t take_trees(packet *p, const leaf_batch *r, uint32_t n, uint64_t 
         pov_hits *hits;
 
         if (m->lane != lane)
-            ended |= ask_tree(p, r, &open, lanes, p->any_blocks || (r->opaque >> lane & 1));
+            ended |= ask_one_shape(p, r, &open, lanes, p->any_blocks || (r->opaque >> lane & 1));
         if ((ended >> m->ray & 1) || !is_open(p, r, m))
             continue;
         blocks = p->any_blocks || (r->opaque >> m->lane & 1);
@@ -144,7 +144,7 @@ static uint64_t take_trees(packet *p, const leaf_batch *r, uint32_t n, uint64_t 
         lanes[open.count] = m->ray;
         pairs_put(&open, leaf_batch_instance(r, m->lane), p->rays[m->ray], hits);
     }
-    return ended | ask_tree(p, r, &open, lanes, p->any_blocks || (r->opaque >> m[-1].lane & 1));
+    return ended | ask_one_shape(p, r, &open, lanes, p->any_blocks || (r->opaque >> m[-1].lane & 1));
 }
 
 /* Are some candidates left for what needs their rays? */
@@ -155,6 +155,9 @@ static bool any_open(const leaf_batch *r, const pov_candidate *m, uint32_t n, ui
             return true;
     return false;
 }
+
+/* Planes have one crossing, whatever is wanted of them. */
+static bool takes_several(const shape_class *shape) { return shape == &csg_class || (shape->intersect_many && shape->half_space); }
 
 static uint64_t filter(packet *p, const leaf_batch *r, uint64_t lanes)
 {
@@ -170,8 +173,8 @@ static uint64_t filter(packet *p, const leaf_batch *r, uint64_t lanes)
         packet_make_rays(p);
     if (n > 1 && (r->flags & LEAF_INSTANCED) && !p->from)
         return ended | take_instanced(p, r, n, ended);
-    if (n > 1 && r->shape == &csg_class && !p->from)
-        return take_trees(p, r, n, ended);
+    if (n > 1 && takes_several(r->shape) && !p->from)
+        return take_shapes(p, r, n, ended);
     for (i = 0; i < n; i++)
         if (!(ended >> m[i].ray & 1) && is_open(p, r, &m[i]))
             ended |= (uint64_t)ask_some(p, m[i].ray, r, 1u << m[i].lane) << m[i].ray;
