@@ -111,11 +111,20 @@ static bool add_tree(const asking *a, const csg_tree *t)
 
 /* ---- other objects ---- */
 
+/* A convex solid whose whole surface is there, in the world. */
+static bool find_solid(const shape_class *shape, const leaf_batch *r, uint32_t lane, pov_outline *out)
+{
+    const void *self = leaf_batch_instance(r, lane);
+
+    return shape->outline && (shape->flags & POV_SHAPE_CONVEX) && !(r->flags & LEAF_INSTANCED) && !(shape->open && shape->open(self)) &&
+           shape->outline(self, out);
+}
+
 /* The shape's own box, or else the leaf's. */
 static bool add_boxed(const asking *a, const leaf_batch *r, uint32_t lane, const pov_box *leaf)
 {
     const uint32_t flags = r->shape->flags;
-    blocker b = { .opaque = r->opaque & r->plain & 1u << lane };
+    blocker b = { .is_box = false };
 
     if (!(r->flags & LEAF_INSTANCED) && r->object[lane] < a->world->model->leaves.count &&
         r->shape->bounds(leaf_batch_instance(r, lane), &b.box)) {
@@ -128,13 +137,14 @@ static bool add_boxed(const asking *a, const leaf_batch *r, uint32_t lane, const
     }
     if (!shaft_may_overlap(a->in, &b.box))
         return true;
+    b.hides = (r->opaque & r->plain & 1u << lane) && find_solid(r->shape, r, lane, &b.solid);
     return ((r->flags & LEAF_INSTANCED) && !may_overlap_own(a, leaf_batch_xform(r), r->shape, r->instances)) || a->add(a->user, &b);
 }
 
 static bool add_shape(const asking *a, const leaf_batch *r, uint32_t lane, const pov_box *leaf)
 {
     const csg_tree *t = tree_of(r, lane);
-    blocker b = { .opaque = false };
+    blocker b = { .is_box = false };
     const bool is_plane = !leaf && !(r->flags & LEAF_INSTANCED) && find_plane(r->shape, leaf_batch_instance(r, lane), &b.plane);
 
     if (is_left(a, r->shape, r->object[lane], is_plane))

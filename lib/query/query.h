@@ -63,7 +63,9 @@ typedef struct blocker {
     pov_box box;
     pov_half_space plane;        /* which it is the surface of, if is_plane */
     bool is_box, is_sphere;      /* its surface lies on the box's, or on the sphere inscribed in it */
-    bool is_plane, opaque;       /* opaque: of these two the whole surface, and light does not pass */
+    bool is_plane;
+    bool hides;                  /* all of its inside stops light, and is convex: `solid`, where the world has it */
+    pov_outline solid;
 } blocker;
 
 /* The object whose surface all rays of a shaft start on; outward: they leave to the side of its own normals. */

@@ -55,11 +55,23 @@ static uint32_t find_views(const lighting *l, const scene_light *from, const vec
     return n;
 }
 
-/* Of the open rays those that something may hide the k-th point from. The others get its light. */
-static uint64_t choose_hidden(lighting *l, const light_grid *g, uint32_t k, const area_view *views, const uint8_t *open,
+/* By ray, of points that follow one another, those that nothing hides, and those that it takes a ray to tell. */
+typedef struct area_bits { uint64_t lit[BATCH_MAX], open[BATCH_MAX]; } area_bits;
+
+static void find_bits(const light_grid *g, uint32_t k, const area_view *views, const uint8_t *open, uint32_t count, area_bits *out)
+{
+    area_parts parts;
+
+    area_parts_find(g, k, &parts);
+    for (uint32_t n = 0; n < count; n++)
+        out->open[open[n]] = area_view_open(&views[open[n]], &parts, &out->lit[open[n]]);
+}
+
+/* Of the open rays those that it takes to tell whether something hides the k-th point. The others get its light, or none. */
+static uint64_t choose_hidden(lighting *l, const light_grid *g, uint32_t k, const area_bits *bits, const uint8_t *open,
                               uint32_t count, uint8_t *which, colour *through)
 {
-    const grid_part place = grid_place(g, k);
+    const uint32_t bit = k % AREA_PARTS;
     const float weight = g->points[k].weight;
     uint64_t lit = 0;
 
@@ -67,10 +79,10 @@ static uint64_t choose_hidden(lighting *l, const light_grid *g, uint32_t k, cons
     for (uint32_t n = 0; n < count; n++) {
         const uint8_t i = open[n];
 
-        if (area_view_has(&views[i], &place)) {
+        if (bits->lit[i] >> bit & 1) {
             through[i] = colour_add(through[i], colour_of(weight, weight, weight));
             lit |= (uint64_t)1 << i;
-        } else {
+        } else if (bits->open[i] >> bit & 1) {
             which[l->count] = i;
             l->of[l->count] = l->seen[i];
             l->rays[l->count] = &l->own[l->seen[i]];
@@ -125,12 +137,15 @@ static uint64_t trace_hidden(lighting *l, const scene_light *from, const vec_lan
     const uint32_t count = l->count;
     area_view views[BATCH_MAX];
     uint8_t open[BATCH_MAX], which[BATCH_MAX];
+    area_bits bits;
     uint64_t lit = 0;
     const uint32_t open_count = find_views(l, from, to, views, open, &lit, through);
 
     memcpy(l->seen, l->of, count);
     for (uint32_t k = 0; open_count > 0 && k < from->grid->count; k++) {
-        lit |= choose_hidden(l, from->grid, k, views, open, open_count, which, through);
+        if (k % AREA_PARTS == 0)
+            find_bits(from->grid, k, views, open, open_count, &bits);
+        lit |= choose_hidden(l, from->grid, k, &bits, open, open_count, which, through);
         if (l->count > 0)
             lit |= trace_point(l, from, k, to, which, through);
     }

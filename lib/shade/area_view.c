@@ -152,52 +152,6 @@ static grid_part shadow_of(const plane *p, const grid_part *all, const blocker *
     return out;
 }
 
-/* ---- what hides all of it ----
- *
- * Segments from a point to the corners of an area that enter one convex solid: so do those to all points between. */
-
-/* Does the segment to p + d enter the inside of the sphere around p + c well before its end? */
-static bool enters_sphere(pov_vec3 c, double rr, pov_vec3 d)
-{
-    const double dc = pov_dot(d, c), dd = pov_dot(d, d);
-
-    return dc > 0.0 && dc < (1.0 - margin) * dd && pov_dot(c, c) * dd - dc * dc < (1.0 - margin) * rr * dd;
-}
-
-static bool sphere_covers(const plane *p, const pov_box *b, const pov_vec3 corner[4])
-{
-    const pov_vec3 c = pov_sub(pov_scale(pov_add(b->lo, b->hi), 0.5), p->from);
-    const double r = 0.5 * (b->hi.x - b->lo.x), rr = r * r;
-
-    return r > thin * p->size && pov_dot(c, c) > (1.0 + margin) * rr && enters_sphere(c, rr, corner[0]) &&
-           enters_sphere(c, rr, corner[1]) && enters_sphere(c, rr, corner[2]) && enters_sphere(c, rr, corner[3]);
-}
-
-/* Cut the part of a segment by d that is between lo and hi. A segment that starts in the box does not enter it. */
-static void clip(double lo, double hi, double d, double *from, double *to)
-{
-    const double a = lo / d, b = hi / d;
-
-    *from = fmax(*from, fmin(a, b));
-    *to = fmin(*to, fmax(a, b));
-}
-
-static bool box_covers(const plane *p, const pov_box *b, const pov_vec3 corner[4])
-{
-    const pov_vec3 lo = pov_sub(b->lo, p->from), hi = pov_sub(b->hi, p->from);
-
-    for (int i = 0; i < 4; i++) {
-        double from = -HUGE_VAL, to = 1.0 - margin;
-
-        clip(lo.x, hi.x, corner[i].x, &from, &to);
-        clip(lo.y, hi.y, corner[i].y, &from, &to);
-        clip(lo.z, hi.z, corner[i].z, &from, &to);
-        if (!(from > margin && to - from > thin))
-            return false;
-    }
-    return true;
-}
-
 /* ---- what holds all of it ----
  *
  * No segment between points well inside a convex solid meets its surface. */
@@ -229,14 +183,20 @@ static bool holds(const plane *p, const shaft *s, const blocker *b)
     return b->is_sphere ? sphere_holds(p, &b->box, s->corner) : b->is_box && box_holds(s, &b->box);
 }
 
-static bool covers(const plane *p, const blocker *b, const pov_vec3 corner[4])
-{
-    return b->opaque && ((b->is_sphere && sphere_covers(p, &b->box, corner)) || (b->is_box && box_covers(p, &b->box, corner)));
-}
-
 /* ---- all of it ---- */
 
 typedef struct finding { plane plane; grid_part all; shaft shaft; area_view *out; } finding;
+
+/* True: it hides all of the light. */
+static bool add_cover(finding *f, const blocker *b)
+{
+    area_cover *c = &f->out->covers[f->out->cover_count];
+
+    if (!b->hides || !area_cover_make(c, &b->solid, f->plane.from, f->plane.to, f->plane.axes))
+        return false;
+    f->out->cover_count++;
+    return area_cover_hides(c, &f->all);
+}
 
 static bool add_blocker(void *user, const blocker *b)
 {
@@ -245,7 +205,7 @@ static bool add_blocker(void *user, const blocker *b)
 
     if (!grid_parts_overlap(&part, &f->all) || holds(&f->plane, &f->shaft, b))
         return true;
-    f->out->dark = covers(&f->plane, b, f->shaft.corner);
+    f->out->dark = add_cover(f, b);
     if (f->out->dark || f->out->count == AREA_VIEW_MAX)
         return false;
     f->out->hidden[f->out->count++] = part;
@@ -291,8 +251,21 @@ void area_view_find(const shading *scene, const scene_light *from, const hit *h,
     finding f = { .all = from->grid->all, .out = out };
 
     out->dark = false;
-    out->count = 0;
+    out->count = out->cover_count = 0;
     if ((!make_plane(from->light, h->point, to, &f.plane) || !make_shaft(&f.plane, &f.all, &f.shaft) ||
          !query_blockers(scene->world, &f.shaft, find_left(h, normal, f.shaft.corner), add_blocker, &f)) && !out->dark)
         hide_all(out);
+}
+
+uint64_t area_view_open(const area_view *v, const area_parts *parts, uint64_t *lit)
+{
+    const uint64_t all = ~(uint64_t)0 >> (AREA_PARTS - parts->count);
+    uint64_t open = 0;
+
+    for (uint32_t i = 0; i < v->count; i++)
+        open |= area_parts_overlap(parts, &v->hidden[i]);
+    *lit = all & ~open;
+    for (uint32_t i = 0; open && i < v->cover_count; i++)
+        open &= ~area_cover_hides_of(&v->covers[i], parts);
+    return open;
 }

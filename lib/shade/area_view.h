@@ -3,22 +3,23 @@
 #define SHADE_AREA_VIEW_H
 
 #include "query/query.h"
+#include "shade/area_cover.h"
 #include "shade/shading.h"
 
-/* Parts of the light's grid that something may hide; dark: something hides all of it. */
+/* Parts of the light's grid that something may hide, and what hides some of it for certain; dark: something hides all of it. */
 enum { AREA_VIEW_MAX = 6 };
-typedef struct area_view { bool dark; uint32_t count; grid_part hidden[AREA_VIEW_MAX]; } area_view;
+typedef struct area_view {
+    bool dark;
+    uint32_t count, cover_count;
+    grid_part hidden[AREA_VIEW_MAX];
+    area_cover covers[AREA_VIEW_MAX + 1];
+} area_view;
 
 /* h: a completed hit; normal: the geometric one there, unit, which faces the ray's start; to: the direction to the light's
  * position. */
 void area_view_find(const shading *scene, const scene_light *from, const hit *h, pov_vec3 normal, pov_vec3 to, area_view *out);
 
-static inline bool area_view_has(const area_view *v, const grid_part *place)
-{
-    for (uint32_t i = 0; i < v->count; i++)
-        if (grid_parts_overlap(&v->hidden[i], place))
-            return false;
-    return true;
-}
+/* Of parts of the grid, bit by bit, those that something may hide, and what nothing hides for certain of these. */
+uint64_t area_view_open(const area_view *v, const area_parts *parts, uint64_t *lit);
 
 #endif

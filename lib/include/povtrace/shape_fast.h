@@ -105,7 +105,7 @@ typedef struct pov_shape_fast {
     bool (*half_space)(const void *self, pov_half_space *out);
     /* [load] Up to POV_HULL_MAX half-spaces that hold the part of an infinite solid that lies within the n given ones. */
     uint32_t (*hull)(const void *self, const pov_half_space *within, uint32_t n, pov_half_space *out);
-    /* [load] Is it such a solid? Solids made of several then look for a ray's crossing in all side by side. */
+    /* [load] [render] Is it such a solid? Solids made of several then look for a ray's crossing in all side by side. */
     bool (*outline)(const void *self, pov_outline *out);
     /* [render] As intersect(), where the interval comes from the scene around the shape and depends on nothing but the
      * ray: it may shorten the search, and last bits of crossings may depend on it. */

@@ -1,0 +1,35 @@
+/* area_cover.h - parts of an area light that a convex solid certainly hides from a point. */
+#ifndef SHADE_AREA_COVER_H
+#define SHADE_AREA_COVER_H
+
+#include "base/simd.h"
+#include "light/grid.h"
+
+#include <povtrace/shape_fast.h>
+
+/* The solid, a little smaller, from the point: along the direction to the place u, v of the light's plane, lo <= t (rate . (1, u, v)) <= hi,
+ * and constant + 2 t (along . (1, u, v)) + t^2 (square . (1, u, v, u u, v v, u v)) <= 0. */
+typedef struct area_cover {
+    double lo[3], hi[3], rate[3][3];
+    double constant, along[3], square[6];
+    uint32_t slabs;
+    bool round;
+} area_cover;
+
+/* from: the point; to: the direction to the light's position, from which places are measured along the axes. False: nothing can be
+ * told, such as from within the solid. */
+bool area_cover_make(area_cover *c, const pov_outline *solid, pov_vec3 from, pov_vec3 to, const pov_vec3 axes[2]);
+/* Do the segments to all places of the part enter the solid well before their ends? */
+bool area_cover_hides(const area_cover *c, const grid_part *part);
+
+/* Parts side by side, in whole vectors; points: each is one place. */
+enum { AREA_PARTS = 64 };
+typedef struct area_parts { SIMD_ALIGNED double lo[2][AREA_PARTS], hi[2][AREA_PARTS]; uint32_t count; bool points; } area_parts;
+/* Those of the grid from the k-th one on. */
+void area_parts_find(const light_grid *g, uint32_t k, area_parts *out);
+/* Which of these, bit by bit. */
+uint64_t area_cover_hides_of(const area_cover *c, const area_parts *parts);
+/* Which of them overlap another part. */
+uint64_t area_parts_overlap(const area_parts *parts, const grid_part *other);
+
+#endif

@@ -1,0 +1,203 @@
+/* What a solid is said to hide of an area light, each segment to it enters; and most of what it hides is said. */
+#include "shade/area_cover.h"
+#include "support/check.h"
+
+#include <math.h>
+
+static uint64_t seed = 7;
+
+static double uniform(double lo, double hi)
+{
+    seed = seed * 6364136223846793005u + 1442695040888963407u;
+    return lo + (hi - lo) * (double)(seed >> 11) * 0x1p-53;
+}
+
+static pov_vec3 anywhere(double size) { return pov_vec3_of(uniform(-size, size), uniform(-size, size), uniform(-size, size)); }
+
+/* x, y, z: an orthogonal frame of some size. */
+static void draw_frame(pov_vec3 frame[3], double size)
+{
+    frame[0] = pov_unit(anywhere(1.0));
+    frame[1] = pov_unit(pov_cross_product(frame[0], anywhere(1.0)));
+    frame[2] = pov_cross_product(frame[0], frame[1]);
+    for (int i = 0; i < 3; i++)
+        frame[i] = pov_scale(frame[i], 1.0 / size);
+}
+
+static void add_slab(pov_outline *o, pov_vec3 normal)
+{
+    o->normal[o->slabs] = normal;
+    o->lo[o->slabs] = uniform(-1.5, -0.2);
+    o->hi[o->slabs++] = uniform(0.2, 1.5);
+}
+
+static void add_square(pov_outline *o, pov_vec3 n, double by)
+{
+    o->square[0] += by * n.x * n.x;
+    o->square[1] += by * n.y * n.y;
+    o->square[2] += by * n.z * n.z;
+    o->square[3] += by * n.x * n.y;
+    o->square[4] += by * n.x * n.z;
+    o->square[5] += by * n.y * n.z;
+}
+
+/* Spheres, boxes, cylinders and cones. */
+static pov_outline draw_solid(int kind, pov_vec3 centre, double size)
+{
+    pov_outline o = { .centre = centre, .round = kind != 1 };
+    pov_vec3 frame[3];
+
+    draw_frame(frame, size);
+    for (int i = 0; i < 3 && kind != 1; i++)
+        add_square(&o, frame[i], kind == 0 || i < 2 ? 1.0 : kind == 3 ? -0.25 : 0.0);
+    if (o.round)
+        o.constant = -1.0;
+    if (kind == 3)
+        o.linear = pov_scale(frame[2], 0.5);
+    for (int i = kind == 1 ? 0 : 2; i < 3 && kind > 0; i++)
+        add_slab(&o, frame[i]);
+    return o;
+}
+
+typedef struct wide { long double x, y, z; } wide;
+static wide wide_of(pov_vec3 v) { return (wide){ (long double)v.x, (long double)v.y, (long double)v.z }; }
+static long double dot(wide a, wide b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+static wide along(wide a, long double t, wide d) { return (wide){ a.x + t * d.x, a.y + t * d.y, a.z + t * d.z }; }
+
+static wide times(const pov_outline *o, wide v)
+{
+    const double *s = o->square;
+    const long double xx = (long double)s[0], yy = (long double)s[1], zz = (long double)s[2], xy = (long double)s[3], xz = (long double)s[4], yz = (long double)s[5];
+
+    return (wide){ xx * v.x + xy * v.y + xz * v.z, xy * v.x + yy * v.y + yz * v.z, xz * v.x + yz * v.y + zz * v.z };
+}
+
+static bool is_entry(long double first, long double last) { return first > 0.0L && first < 1.0L && first < last; }
+
+/* Does the segment from `at`, as the solid has it, enter the solid before its end? */
+static bool enters(const pov_outline *o, wide at, wide d)
+{
+    long double first = -1.0L / 0.0L, last = 1.0L / 0.0L;
+
+    for (uint32_t i = 0; i < o->slabs; i++) {
+        const wide n = wide_of(o->normal[i]);
+        const long double a = ((long double)o->lo[i] - dot(n, at)) / dot(n, d), b = ((long double)o->hi[i] - dot(n, at)) / dot(n, d);
+
+        first = fmaxl(first, fminl(a, b));
+        last = fminl(last, fmaxl(a, b));
+    }
+    if (o->round) {
+        const wide linear = wide_of(o->linear);
+        const long double a = dot(times(o, d), d), b = dot(times(o, at), d) + dot(linear, d);
+        const long double c = dot(times(o, at), at) + 2.0L * dot(linear, at) + (long double)o->constant, square = b * b - a * c;
+
+        const long double less = (-b - sqrtl(square)) / a, more = (-b + sqrtl(square)) / a;
+
+        if (a > 0.0L)
+            return square > 0.0L && is_entry(fmaxl(first, less), fminl(last, more));
+        return square > 0.0L ? is_entry(first, fminl(last, more)) || is_entry(fmaxl(first, less), last) : is_entry(first, last);
+    }
+    return is_entry(first, last);
+}
+
+/* An area, from a point. */
+typedef struct area { pov_vec3 from, to, axes[2]; } area;
+
+static bool is_entered(const pov_outline *o, const area *a, double u, double v)
+{
+    const wide from = along(wide_of(a->from), -1.0L, wide_of(o->centre));
+
+    return enters(o, from, along(along(wide_of(a->to), (long double)u, wide_of(a->axes[0])), (long double)v, wide_of(a->axes[1])));
+}
+
+static double within(const grid_part *p, int axis, int step) { return p->lo[axis] + (p->hi[axis] - p->lo[axis]) * step / 4; }
+
+static bool is_all_entered(const pov_outline *o, const area *a, const grid_part *p)
+{
+    for (int i = 0; i <= 4; i++)
+        for (int k = 0; k <= 4; k++)
+            if (!is_entered(o, a, within(p, 0, i), within(p, 1, k)))
+                return false;
+    return true;
+}
+
+static grid_part draw_part(void)
+{
+    const double broad = uniform(0.0, 0.3), high = uniform(0.0, 0.3), u = uniform(-0.5, 0.5 - broad), v = uniform(-0.5, 0.5 - high);
+
+    return (grid_part){ { u, v }, { u + broad, v + high } };
+}
+
+static void what_is_said_to_be_hidden_is(void **state)
+{
+    long hidden = 0, said = 0;
+
+    (void)state;
+    for (int n = 0; n < 60000; n++) {
+        const double size = pow(10.0, uniform(-6.0, 6.0)), far = pow(10.0, uniform(0.2, 3.0)) * size;
+        const pov_vec3 centre = pov_scale(anywhere(1.0), n % 3 ? 0.0 : 10.0 * far);
+        const pov_outline o = draw_solid(n % 4, centre, size);
+        const pov_vec3 way = pov_scale(pov_unit(anywhere(1.0)), far);
+        const area a = { pov_sub(centre, way), pov_scale(way, uniform(0.9, 4.0)), { pov_scale(anywhere(1.0), 4.0 * size), pov_scale(anywhere(1.0), 4.0 * size) } };
+        const grid_part part = draw_part();
+        area_cover c;
+        const bool is_hidden = is_all_entered(&o, &a, &part);
+        const bool is_said = area_cover_make(&c, &o, a.from, a.to, a.axes) && area_cover_hides(&c, &part);
+
+        hidden += is_hidden;
+        said += is_said;
+        if (is_said && !is_hidden)
+            fail_msg("solid %d of kind %d is said to hide a part that it does not", n, n % 4);
+    }
+    assert_true(hidden > 6000);
+    assert_true(said > 0.9 * hidden);
+}
+
+static void nothing_is_told_from_within(void **state)
+{
+    const pov_vec3 zero = { 0.0, 0.0, 0.0 }, to = { 5.0, 0.0, 0.0 }, axes[2] = { { 0.0, 1.0, 0.0 }, { 0.0, 0.0, 1.0 } };
+    area_cover c;
+
+    (void)state;
+    for (int kind = 0; kind < 4; kind++) {
+        const pov_outline o = draw_solid(kind, zero, 1.0);
+
+        assert_false(area_cover_make(&c, &o, zero, to, axes));
+    }
+}
+
+static void parts_side_by_side_are_as_one_by_one(void **state)
+{
+    const pov_vec3 to = { 9.0, 0.0, 0.0 }, from = { -5.0, 0.0, 0.0 }, zero = { 0.0, 0.0, 0.0 }, axes[2] = { { 0.0, 9.0, 0.0 }, { 0.0, 0.0, 9.0 } };
+    const pov_outline o = draw_solid(0, zero, 1.0);
+    const grid_part other = { { -0.2, 0.0 }, { 0.1, 0.4 } };
+    area_parts parts = { .count = AREA_PARTS };
+    grid_part one[AREA_PARTS];
+    area_cover c;
+    uint64_t hides, overlap;
+
+    (void)state;
+    assert_true(area_cover_make(&c, &o, from, to, axes));
+    for (int i = 0; i < AREA_PARTS; i++) {
+        one[i] = draw_part();
+        for (int axis = 0; axis < 2; axis++) {
+            parts.lo[axis][i] = one[i].lo[axis];
+            parts.hi[axis][i] = one[i].hi[axis];
+        }
+    }
+    hides = area_cover_hides_of(&c, &parts);
+    overlap = area_parts_overlap(&parts, &other);
+    for (int i = 0; i < AREA_PARTS; i++) {
+        assert_int_equal(hides >> i & 1, area_cover_hides(&c, &one[i]));
+        assert_int_equal(overlap >> i & 1, grid_parts_overlap(&one[i], &other));
+    }
+    assert_true(hides && ~hides && overlap && ~overlap);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = { cmocka_unit_test(what_is_said_to_be_hidden_is), cmocka_unit_test(nothing_is_told_from_within),
+                                        cmocka_unit_test(parts_side_by_side_are_as_one_by_one) };
+
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
