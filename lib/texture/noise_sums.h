@@ -6,7 +6,7 @@
 
 #include <math.h>
 
-/* Points of one cell go side by side where vectors hold eight of them. */
+/* Points of one cell go side by side where vectors hold eight of them: see noise_windows.h. */
 #if defined(__AVX512F__) && defined(__GNUC__) && !defined(POV_NARROW)
 #define NOISE_RUNS 1
 #else
@@ -24,6 +24,7 @@ typedef struct SIMD_ALIGNED lattice {
     double weight[CORNERS][ROW], inside[3][ROW];
     double place[LANES_MAX][PARTS];
     uint32_t low[3][ROW];
+    bool near;                   /* is_near() said so: what is inside is in 0..1 */
 } lattice;
 
 SIMD_INLINE double smooth(double u) { return u * u * (3.0 - 2.0 * u); }
@@ -103,6 +104,7 @@ static void locate(const vec_lanes *at, double scale, bool near, uint32_t n, lat
         locate_near(at, scale, n, out);
     else
         locate_far(at, scale, n, out);
+    out->near = near;            /* first, it would keep compilers from making those loops vectors */
 }
 
 /* Do 32-bit integers hold the cells of all points, at this scale and at smaller ones? It is asked once for all octaves. */
@@ -190,6 +192,26 @@ static double sum_point(const noise_tables *t, lattice *l, uint32_t lane)
     return (sum[0][0] + sum[0][1]) + (sum[0][2] + sum[0][3]);
 }
 
+#if NOISE_RUNS
+#include "texture/noise_windows.h"
+
+static void sum_scalar(const noise_tables *t, lattice *l, uint32_t n, double *restrict out)
+{
+    double *const to[] = { out };
+
+    if (n == 1)
+        out[0] = sum_point(t, l, 0);
+    else
+        sum_windows(t, l, n, 1, to);
+}
+
+static void sum_vector(const noise_tables *t, lattice *l, uint32_t n, vec_lanes *restrict out)
+{
+    double *const to[] = { out->x, out->y, out->z };
+
+    sum_windows(t, l, n, 3, to);
+}
+#else
 SIMD_CLONES static void sum_points(const noise_tables *t, lattice *l, uint32_t n, double *restrict out)
 {
     SIMD_ALIGNED double parts[LANES_MAX][PARTS];
@@ -206,182 +228,6 @@ SIMD_CLONES static void sum_points(const noise_tables *t, lattice *l, uint32_t n
     join(parts, n, out);
 }
 
-#if NOISE_RUNS
-/* ---- the same by 512 bits: points that follow one another in one cell have the same numbers, and stand side by side ---- */
-
-/* Compilers would add up one sum behind the other, for which there are not registers enough. */
-#define KEEP_ORDER(value) __asm__("" : "+v"(value))
-
-/* Bit i: the lane behind lane i stands in another cell. */
-SIMD_INLINE uint64_t find_ends(const lattice *l, uint32_t n)
-{
-    uint64_t ends = (uint64_t)1 << (n - 1);
-
-    for (uint32_t i = 0; i < n; i += 16) {
-        uint32_t other = 0;
-
-        for (int axis = 0; axis < 3; axis++)
-            other |= _mm512_cmpneq_epu32_mask(_mm512_loadu_si512(l->low[axis] + i), _mm512_loadu_si512(l->low[axis] + i + 1));
-        ends |= (uint64_t)other << i;
-    }
-    return ends;
-}
-
-/* The first part is half a weight times a number: a weight times half the number is the same, but for what is so small that the
- * other corners' parts, whose weights add up to 1 with it, do not change by it. */
-enum { HALVES = NOISE_COPIES * NOISE_COPY };
-
-/* `count` components of eight lanes; of those that are not of the run too, whose turn comes later. */
-SIMD_INLINE void sum_run(const lattice *l, uint32_t lane, const double *const from[CORNERS], int count, double sums[][ROW])
-{
-    const __m512d x = _mm512_loadu_pd(l->inside[0] + lane), y = _mm512_loadu_pd(l->inside[1] + lane);
-    const __m512d z = _mm512_loadu_pd(l->inside[2] + lane), one = _mm512_set1_pd(1.0);
-    const __m512d by_x[2] = { x, _mm512_sub_pd(x, one) }, by_y[2] = { y, _mm512_sub_pd(y, one) }, by_z[2] = { z, _mm512_sub_pd(z, one) };
-    __m512d sum[3][PARTS];
-
-#pragma GCC unroll 8
-    for (int c = 0; c < CORNERS; c++) {
-        const __m512d weight = _mm512_loadu_pd(l->weight[c] + lane);
-        const __m512d by[PARTS] = { weight, _mm512_mul_pd(by_x[c & 1], weight),
-                                    _mm512_mul_pd(by_y[c >> 1 & 1], weight), _mm512_mul_pd(by_z[c >> 2], weight) };
-
-#pragma GCC unroll 3
-        for (int j = 0; j < count; j++)
-#pragma GCC unroll 4
-            for (int k = 0; k < PARTS; k++) {
-                const __m512d more = _mm512_mul_pd(by[k], _mm512_set1_pd(from[c][PARTS * j + k + (k == 0 ? HALVES : 0)]));
-
-                sum[j][k] = c == 0 ? more : _mm512_add_pd(sum[j][k], more);
-                KEEP_ORDER(sum[j][k]);
-            }
-    }
-#pragma GCC unroll 3
-    for (int j = 0; j < count; j++)
-        _mm512_storeu_pd(sums[j] + lane, _mm512_add_pd(_mm512_add_pd(sum[j][0], sum[j][1]), _mm512_add_pd(sum[j][2], sum[j][3])));
-}
-
-/* The same of four lanes. */
-SIMD_INLINE void sum_short_run(const lattice *l, uint32_t lane, const double *const from[CORNERS], int count, double sums[][ROW])
-{
-    const __m256d x = _mm256_loadu_pd(l->inside[0] + lane), y = _mm256_loadu_pd(l->inside[1] + lane);
-    const __m256d z = _mm256_loadu_pd(l->inside[2] + lane), one = _mm256_set1_pd(1.0);
-    const __m256d by_x[2] = { x, _mm256_sub_pd(x, one) }, by_y[2] = { y, _mm256_sub_pd(y, one) }, by_z[2] = { z, _mm256_sub_pd(z, one) };
-    __m256d sum[3][PARTS];
-
-#pragma GCC unroll 8
-    for (int c = 0; c < CORNERS; c++) {
-        const __m256d weight = _mm256_loadu_pd(l->weight[c] + lane);
-        const __m256d by[PARTS] = { weight, _mm256_mul_pd(by_x[c & 1], weight),
-                                    _mm256_mul_pd(by_y[c >> 1 & 1], weight), _mm256_mul_pd(by_z[c >> 2], weight) };
-
-#pragma GCC unroll 3
-        for (int j = 0; j < count; j++)
-#pragma GCC unroll 4
-            for (int k = 0; k < PARTS; k++) {
-                const __m256d more = _mm256_mul_pd(by[k], _mm256_set1_pd(from[c][PARTS * j + k + (k == 0 ? HALVES : 0)]));
-
-                sum[j][k] = c == 0 ? more : _mm256_add_pd(sum[j][k], more);
-                KEEP_ORDER(sum[j][k]);
-            }
-    }
-#pragma GCC unroll 3
-    for (int j = 0; j < count; j++)
-        _mm256_storeu_pd(sums[j] + lane, _mm256_add_pd(_mm256_add_pd(sum[j][0], sum[j][1]), _mm256_add_pd(sum[j][2], sum[j][3])));
-}
-
-SIMD_APART static void sum_short_run_of_one(const lattice *l, uint32_t lane, const double *const from[CORNERS], double sums[][ROW])
-{
-    sum_short_run(l, lane, from, 1, sums);
-}
-
-SIMD_APART static void sum_short_run_of_three(const lattice *l, uint32_t lane, const double *const from[CORNERS], double sums[][ROW])
-{
-    sum_short_run(l, lane, from, 3, sums);
-}
-
-/* Of one point: the parts of three components, of the first two in one vector. */
-SIMD_INLINE void sum_point_of_three(const noise_tables *t, const lattice *l, uint32_t lane, double parts[][LANES_MAX][PARTS])
-{
-    const __m512d place = _mm512_broadcast_f64x4(_mm256_load_pd(l->place[lane]));
-    const double *from[CORNERS];
-    __m512d xy = _mm512_setzero_pd();
-    __m256d z = _mm256_setzero_pd();
-
-    find_corners(t, l, lane, from);
-#pragma GCC unroll 8
-    for (int c = 0; c < CORNERS; c++) {
-        const __m512d corner = _mm512_broadcast_f64x4(_mm256_loadu_pd(noise_corner[c]));
-        const __m512d by = _mm512_mul_pd(_mm512_sub_pd(place, corner), _mm512_set1_pd(l->weight[c][lane]));
-        const __m512d more_xy = _mm512_mul_pd(by, _mm512_loadu_pd(from[c]));
-        const __m256d more_z = _mm256_mul_pd(_mm512_castpd512_pd256(by), _mm256_loadu_pd(from[c] + 2 * PARTS));
-
-        xy = c == 0 ? more_xy : _mm512_add_pd(xy, more_xy);
-        z = c == 0 ? more_z : _mm256_add_pd(z, more_z);
-        KEEP_ORDER(xy);
-        KEEP_ORDER(z);
-    }
-    _mm256_store_pd(parts[0][lane], _mm512_castpd512_pd256(xy));
-    _mm256_store_pd(parts[1][lane], _mm512_extractf64x4_pd(xy, 1));
-    _mm256_store_pd(parts[2][lane], z);
-}
-
-/* Run by run, each of eight lanes at most. */
-SIMD_INLINE void sum_runs(const noise_tables *t, const lattice *l, uint32_t n, uint64_t ends, int count, double *const out[])
-{
-    SIMD_ALIGNED double sums[3][ROW];
-    const double *from[CORNERS];
-    bool begins = true;
-
-    for (uint32_t i = 0; i < n;) {
-        if (begins)
-            find_corners(t, l, i, from);
-        if (ends >> i & 15 && count == 1)
-            sum_short_run_of_one(l, i, from, sums);
-        else if (ends >> i & 15)
-            sum_short_run_of_three(l, i, from, sums);
-        else
-            sum_run(l, i, from, count, sums);
-        begins = (ends >> i & 255) != 0;
-        i += first_of((uint32_t)(ends >> i) | 128) + 1;
-    }
-    for (int j = 0; j < count; j++)
-        for (uint32_t i = 0; i < n; i += 4)
-            _mm256_storeu_pd(out[j] + i, _mm256_load_pd(sums[j] + i));
-}
-
-/* So much takes less time by runs: a run is as three points. */
-SIMD_INLINE bool are_runs_long(uint64_t ends, uint32_t n) { return 5 * (uint32_t)__builtin_popcountll(ends) < 2 * n; }
-
-static void sum_scalar(const noise_tables *t, lattice *l, uint32_t n, double *restrict out)
-{
-    const uint64_t ends = n > 1 ? find_ends(l, n) : 1;
-    double *const to[] = { out };
-
-    if (n == 1)
-        out[0] = sum_point(t, l, 0);
-    else if (are_runs_long(ends, n))
-        sum_runs(t, l, n, ends, 1, to);
-    else
-        sum_points(t, l, n, out);
-}
-
-static void sum_vector(const noise_tables *t, lattice *l, uint32_t n, vec_lanes *restrict out)
-{
-    SIMD_ALIGNED double parts[3][LANES_MAX][PARTS];
-    const uint64_t ends = find_ends(l, n);
-    double *const to[] = { out->x, out->y, out->z };
-
-    if (are_runs_long(ends, n)) {
-        sum_runs(t, l, n, ends, 3, to);
-        return;
-    }
-    set_places(l, 0.5, n);
-    for (uint32_t i = 0; i < n; i++)
-        sum_point_of_three(t, l, i, parts);
-    for (int j = 0; j < 3; j++)
-        join(parts[j], n, to[j]);
-}
-#else
 static void sum_scalar(const noise_tables *t, lattice *l, uint32_t n, double *out)
 {
     if (n == 1)
