@@ -23,16 +23,34 @@ static bool is_outside(const line *n, double t)
     return fabs(approx - 1.0) > APPROX ? approx > 1.0 : size_at(n->s, p) > 1.0;
 }
 
-/* Of a stretch: what is nearest to the planes of its coordinates, what is farthest from them, and its middle; with approximate sizes, and
- * exact ones where these do not tell them from one. */
+/* Of a stretch: what is nearest to the planes of its coordinates, what is farthest from them, and its middle; with approximate sizes, to
+ * the power 2 / n, and exact ones where these do not tell them from one. How the power grows with each coordinate: `ring` times that of x and
+ * y, and that of z. */
 enum { NEAREST, FARTHEST, MIDDLE, PLACES };
 typedef double place_lanes[PLACES + 1];
-typedef struct places { place_lanes x, y, z, approx, size, shares; bool exact; } places;
+typedef struct places { place_lanes x, y, z, approx, by_x, by_y, by_z, ring, size, shares; bool exact; } places;
+
+/* What a power grows by with its base, which is x or nearer to zero. */
+COMMON_INLINE double growth_of(double power, double x, double y)
+{
+    const double at_zero = y < 1.0 ? HUGE_VAL : 0.0;
+
+    return x > 0x1p-30 ? y * power / x : y == 1.0 ? 1.0 : at_zero;
+}
 
 COMMON_CLONES static void approx_sizes(double e, double n, places *restrict p)
 {
-    for (uint32_t i = 0; i < PLACES + 1; i++)
-        p->approx[i] = approx_size(e, n, p->x[i], p->y[i], p->z[i]);
+    for (uint32_t i = 0; i < PLACES + 1; i++) {
+        const double x = fabs(p->x[i]), y = fabs(p->y[i]), z = fabs(p->z[i]);
+        const double of_x = approx_power(x, 2.0 / e), of_y = approx_power(y, 2.0 / e), of_z = approx_power(z, 2.0 / n);
+        const double ring = approx_power(of_x + of_y, e / n);
+
+        p->approx[i] = ring + of_z;
+        p->by_x[i] = growth_of(of_x, x, 2.0 / e);
+        p->by_y[i] = growth_of(of_y, y, 2.0 / e);
+        p->by_z[i] = growth_of(of_z, z, 2.0 / n);
+        p->ring[i] = ring / (of_x + of_y) * (e / n);
+    }
 }
 
 /* size_at() of all. Shares are kept for the compiler, which else moves powers into branches and makes no vectors of them. */
@@ -78,27 +96,6 @@ static bool is_place_above(const line *n, places *p, uint32_t i, double level)
     return p->size[i] > level;
 }
 
-/* 1: certainly outside all along; -1: inside; 0: neither. */
-static int side_of(const line *n, places *p)
-{
-    return is_place_above(n, p, NEAREST, 1.0 + FINE) ? 1 : is_place_above(n, p, FARTHEST, 1.0 - FINE) ? 0 : -1;
-}
-
-/* How the size, to the power 2 / n, grows along a stretch where no coordinate changes its sign: bounds of each coordinate's part and of what
- * multiplies those of x and y, from what is nearest to the planes of the coordinates and what is farthest from them. */
-COMMON_CLONES static void find_growths(double e, double n, const places *restrict p, double *restrict x, double *restrict y,
-                                       double *restrict z, double *restrict ring)
-{
-    for (uint32_t i = 0; i < PLACES + 1; i++) {
-        const double a = fabs(p->x[i]), b = fabs(p->y[i]), by_x = approx_power(a, 2.0 / e - 1.0), by_y = approx_power(b, 2.0 / e - 1.0);
-
-        x[i] = by_x * (2.0 / e);
-        y[i] = by_y * (2.0 / e);
-        z[i] = approx_power(fabs(p->z[i]), 2.0 / n - 1.0) * (2.0 / n);
-        ring[i] = approx_power(a * by_x + b * by_y, e / n - 1.0) * (e / n);
-    }
-}
-
 /* The least and the greatest of a factor between two values, times one of any sign, and more than what powers are off. */
 typedef struct range { double lo, hi; } range;
 
@@ -110,22 +107,55 @@ static range times(double a, double b, double by)
     return r;
 }
 
-/* Does the size certainly grow all along a stretch, or certainly fall? */
-static bool is_monotonic(const line *n, const places *p, double lo)
+/* Bounds of how the size, to the power 2 / n, grows along a stretch where no coordinate changes its sign. False: there are none. */
+static bool find_growth(const line *n, const places *p, double middle, range *out)
 {
-    const pov_vec3 a = pov_add(n->o, pov_scale(n->d, lo));
-    place_lanes by_x, by_y, by_z, by_ring;
-    range x, y, z, sum;
+    const pov_vec3 at = pov_add(n->o, pov_scale(n->d, middle));
+    range x, y, z;
 
     if (!n->s->approx || !(p->x[NEAREST] > 0x1p-30 && p->y[NEAREST] > 0x1p-30 && p->z[NEAREST] > 0x1p-30))
         return false;
-    find_growths(n->s->e, n->s->n, p, by_x, by_y, by_z, by_ring);
-    x = times(by_x[NEAREST], by_x[FARTHEST], copysign(n->d.x, n->d.x * a.x));
-    y = times(by_y[NEAREST], by_y[FARTHEST], copysign(n->d.y, n->d.y * a.y));
-    z = times(by_z[NEAREST], by_z[FARTHEST], copysign(n->d.z, n->d.z * a.z));
-    sum.lo = times(by_ring[NEAREST], by_ring[FARTHEST], x.lo + y.lo).lo + z.lo;
-    sum.hi = times(by_ring[NEAREST], by_ring[FARTHEST], x.hi + y.hi).hi + z.hi;
-    return sum.lo > 0.0 || sum.hi < 0.0;
+    x = times(p->by_x[NEAREST], p->by_x[FARTHEST], copysign(n->d.x, n->d.x * at.x));
+    y = times(p->by_y[NEAREST], p->by_y[FARTHEST], copysign(n->d.y, n->d.y * at.y));
+    z = times(p->by_z[NEAREST], p->by_z[FARTHEST], copysign(n->d.z, n->d.z * at.z));
+    out->lo = times(p->ring[NEAREST], p->ring[FARTHEST], x.lo + y.lo).lo + z.lo;
+    out->hi = times(p->ring[NEAREST], p->ring[FARTHEST], x.hi + y.hi).hi + z.hi;
+    return true;
+}
+
+/* What is known of a stretch: its points are all outside, or all inside; its size grows or falls all along, so that it has one crossing
+ * at most; or nothing. */
+typedef enum known { OUTSIDE, INSIDE, MONOTONIC, NOTHING } known;
+
+/* By approximate sizes. */
+static known find_about(const line *n, const places *p, double middle, double half)
+{
+    range by;
+    double most;
+
+    if (p->approx[NEAREST] - 1.0 > APPROX)
+        return OUTSIDE;
+    if (1.0 - p->approx[FARTHEST] > APPROX)
+        return INSIDE;
+    if (!find_growth(n, p, middle, &by))
+        return NOTHING;
+    most = half * larger(fabs(by.lo), fabs(by.hi)) + APPROX;
+    if (p->approx[MIDDLE] - 1.0 > most)
+        return OUTSIDE;
+    if (1.0 - p->approx[MIDDLE] > most)
+        return INSIDE;
+    return by.lo > 0.0 || by.hi < 0.0 ? MONOTONIC : NOTHING;
+}
+
+static known find_known(const line *n, places *p, double middle, double half)
+{
+    const known about = find_about(n, p, middle, half);
+
+    if (about != NOTHING)
+        return about;
+    if (is_place_above(n, p, NEAREST, 1.0 + FINE))
+        return OUTSIDE;
+    return is_place_above(n, p, FARTHEST, 1.0 - FINE) ? NOTHING : INSIDE;
 }
 
 /* Between points on different sides, a step of Newton's method from the middle and both sides of where it leads. */
@@ -158,6 +188,32 @@ static double bisect(const line *n, double lo, double hi, bool is_out)
     }
 }
 
+/* The crossing between points on different sides where the size grows or falls all along: Newton's method kept between them, of
+ * approximate sizes first. */
+static double find_only(const line *n, double lo, double hi, bool is_out)
+{
+    double t = 0.5 * (lo + hi), slope, value = approx_along(n, t, &slope), next;
+
+    for (int turn = 0; turn < 40 && fabs(value) > APPROX; turn++) {
+        *((value > 0.0) == is_out ? &lo : &hi) = t;
+        next = t - value / slope;
+        t = next > lo && next < hi ? next : 0.5 * (lo + hi);
+        value = approx_along(n, t, &slope);
+    }
+    for (int turn = 0; turn < 80; turn++) {
+        value = size_along(n, t, &slope);
+        if (fabs(value) <= FINE)
+            return t;
+        *((value > 0.0) == is_out ? &lo : &hi) = t;
+        next = t - value / slope;
+        next = next > lo && next < hi ? next : 0.5 * (lo + hi);
+        if (!(next > lo && next < hi))
+            return t;
+        t = next;
+    }
+    return bisect(n, lo, hi, is_out);
+}
+
 /* Does any crossing do, so that it need not be known where it lies between two distances? */
 static bool is_any_between(const line *n, const common_ray *k, double lo, double hi, const pov_hits *hits)
 {
@@ -167,23 +223,30 @@ static bool is_any_between(const line *n, const common_ray *k, double lo, double
 /* A stretch, and on which side its ends are. */
 typedef struct stretch { double lo, hi; bool out, still; } stretch;
 
+static double root_of(const line *n, const common_ray *k, const stretch *s, bool only, const pov_hits *hits)
+{
+    if (is_any_between(n, k, s->lo, s->hi, hits))
+        return 0.5 * (s->lo + s->hi);
+    return only ? find_only(n, s->lo, s->hi, s->out) : bisect(n, s->lo, s->hi, s->out);
+}
+
 /* False: nothing more is wanted. */
 static bool search(const line *n, const common_ray *k, stretch s, int depth, pov_hits *hits)
 {
     const double middle = 0.5 * (s.lo + s.hi);
     stretch near = s, far = s;
     places p;
+    known is;
 
     /* Behind a crossing that is known, or the end. */
     if ((n->base + s.lo) * k->unit > (hits->tmax + hits->slack) * (1.0 + 0x1p-40))
         return true;
     find_places(n, s.lo, s.hi, &p);
-    if (side_of(n, &p) != 0)
+    is = find_known(n, &p, middle, 0.5 * (s.hi - s.lo));
+    if (is == OUTSIDE || is == INSIDE || (is == MONOTONIC && s.out == s.still))
         return true;
-    if (s.out == s.still && is_monotonic(n, &p, s.lo))
-        return true;
-    if (depth == 0 || (s.out != s.still && depth < 16))
-        return s.out == s.still || report(n, k, is_any_between(n, k, s.lo, s.hi, hits) ? middle : bisect(n, s.lo, s.hi, s.out), hits);
+    if (depth == 0 || is == MONOTONIC || (s.out != s.still && depth < 16))
+        return s.out == s.still || report(n, k, root_of(n, k, &s, is == MONOTONIC, hits), hits);
     near.hi = far.lo = middle;
     near.still = far.out = is_place_above(n, &p, MIDDLE, 1.0);
     return search(n, k, near, depth - 1, hits) && search(n, k, far, depth - 1, hits);
@@ -191,7 +254,7 @@ static bool search(const line *n, const common_ray *k, stretch s, int depth, pov
 
 void common_superellipsoid_star(const line *n, const common_ray *k, double from, pov_hits *hits)
 {
-    const stretch all = { from, n->span.hi, is_outside(n, from), is_outside(n, n->span.hi) };
+    const stretch all = { from, n->span.hi, from > n->span.lo ? is_outside(n, from) : true, true };
 
     search(n, k, all, 26, hits);
 }

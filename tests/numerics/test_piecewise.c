@@ -361,6 +361,89 @@ static void solve_superellipsoid(const shape *s, const along *a, answer *out)
     collect_within(a, &a->z, -1.0, 1.0, &p, out);
 }
 
+/* ---- stars: superellipsoids of roots ---- */
+
+/* Of e and n one or both are four. */
+static void make_star(shape *s, pov_reader *in)
+{
+    static const double exponents[][2] = { { 1.0, 4.0 }, { 4.0, 1.0 }, { 4.0, 4.0 } };
+    const int which = (int)(3.0 * U());
+
+    s->count = 3;
+    s->number[0] = which;
+    s->number[1] = exponents[which][0];
+    s->number[2] = exponents[which][1];
+    fake_reader_word(in, "<");
+    fake_reader_number(in, s->number[1]);
+    fake_reader_number(in, s->number[2]);
+    fake_reader_word(in, ">");
+}
+
+/* (r + a)^2 = 4 b, squared until no root is left. */
+static poly_real less_square(const poly_real *a, double by, const poly_real *b)
+{
+    const poly_real square = poly_mul(a, a), rest = poly_scale(b, real_of(-by));
+
+    return poly_add(&square, &rest);
+}
+
+/* Where no coordinate is negative: sqrt(r) + sqrt(z) = 1 of r^2 = x^2 + y^2; (sqrt(x) + sqrt(y))^2 = sqrt(1 - z^2); and the sum of three
+ * roots. */
+static poly_real star_of(int which, const poly_real *x, const poly_real *y, const poly_real *z)
+{
+    const poly_real one = poly_of(real_of(1.0)), xy = poly_mul(x, y), sum = poly_add(x, y), high = poly_add(&one, z);
+    const poly_real square = less_square(&sum, 2.0, &xy), flat = poly_sub(&high, &sum);
+    poly_real a, b;
+
+    if (which == 0) {
+        a = less_square(&high, 4.0, z);
+        a = poly_add(&a, &square);
+        b = poly_mul(&high, &high);
+        b = poly_mul(&b, &square);
+        return less_square(&a, 4.0, &b);
+    }
+    if (which == 1) {
+        const poly_real far = poly_mul(z, z), w = poly_sub(&one, &far), all = less_square(&sum, 4.0, &xy);
+
+        a = poly_add(&w, &all);
+        b = poly_mul(&sum, &sum);
+        b = poly_mul(&b, &w);
+        return less_square(&a, 4.0, &b);
+    }
+    a = poly_add(z, &xy);
+    a = less_square(&flat, 4.0, &a);
+    b = poly_mul(&xy, z);
+    return less_square(&a, 64.0, &b);
+}
+
+static double size_of_star(const shape *s, double x, double y, double z)
+{
+    return pow(pow(fabs(x), 2.0 / s->number[1]) + pow(fabs(y), 2.0 / s->number[1]), s->number[1] / s->number[2]) + pow(fabs(z), 2.0 / s->number[2]);
+}
+
+/* Squares have added roots. */
+static void solve_star(const shape *s, const along *a, answer *out)
+{
+    for (int octant = 0; octant < 8; octant++) {
+        const poly_real x = poly_scale(&a->x, real_of(octant & 1 ? -1.0 : 1.0)), y = poly_scale(&a->y, real_of(octant & 2 ? -1.0 : 1.0));
+        const poly_real z = poly_scale(&a->z, real_of(octant & 4 ? -1.0 : 1.0)), p = star_of((int)s->number[0], &x, &y, &z);
+        int kept = out->count, before = out->count;
+
+        kinds_collect(&p, real_of(0.0), a->end, out);
+        for (int i = before; i < out->count; i++) {
+            const real t = real_of(out->at[i]);
+            const double at[3] = { real_double(poly_at(&x, t)), real_double(poly_at(&y, t)), real_double(poly_at(&z, t)) };
+            const double off = fabs(size_of_star(s, at[0], at[1], at[2]) - 1.0);
+
+            if (!(at[0] > 0.0 && at[1] > 0.0 && at[2] > 0.0 && off < 1e-3))
+                continue;
+            out->open = out->open || off > 1e-6;
+            out->at[kept++] = out->at[i];
+        }
+        out->count = kept;
+    }
+}
+
 /* ---- eggs ---- */
 
 static void make_ovus(shape *s, pov_reader *in)
@@ -415,7 +498,7 @@ static const kind_row kinds[] = {
     { "cubic", make_cubic, solve_cubic }, { "quartic", make_quartic, solve_quartic }, { "sor", make_sor, solve_sor },
     { "lathe", make_lathe, solve_lathe }, { "blob", make_blob, solve_blob },
     { "superellipsoid", make_superellipsoid, solve_superellipsoid }, { "ovus", make_ovus, solve_ovus },
-    { "poly", make_poly, solve_poly },
+    { "poly", make_poly, solve_poly }, { "superellipsoid", make_star, solve_star },
 };
 
 static void a_cubic_has_its_crossings(void **state) { (void)state; kinds_keep_crossings(&kinds[0], rays); }
@@ -427,6 +510,8 @@ static void a_superellipsoid_has_its_crossings(void **state) { (void)state; kind
 static void an_ovus_has_its_crossings(void **state) { (void)state; kinds_keep_crossings(&kinds[6], rays); }
 
 static void a_poly_has_its_crossings(void **state) { (void)state; kinds_keep_crossings(&kinds[7], rays); }
+
+static void a_star_has_its_crossings(void **state) { (void)state; kinds_keep_crossings(&kinds[8], rays); }
 
 /* ---- of lines along which a cubic is nearly of a lower degree ---- */
 
@@ -500,6 +585,7 @@ int main(int argc, char **argv)
         cmocka_unit_test(a_sor_has_its_crossings), cmocka_unit_test(a_straight_lathe_has_its_crossings),
         cmocka_unit_test(a_blob_has_its_crossings), cmocka_unit_test(a_superellipsoid_has_its_crossings),
         cmocka_unit_test(an_ovus_has_its_crossings), cmocka_unit_test(a_poly_has_its_crossings),
+        cmocka_unit_test(a_star_has_its_crossings),
         cmocka_unit_test(a_line_beside_a_plane_of_a_cubic_meets_it_once),
         cmocka_unit_test(a_line_that_ends_on_a_cubic_keeps_its_near_crossings),
         cmocka_unit_test(a_ray_past_the_line_of_three_planes_misses_them),
