@@ -177,8 +177,8 @@ typedef struct search {
 } search;
 
 /* A part of the line: x = t / size from 0 to 1, or where it is beyond that x = size / t, with negative sizes towards the past. `b`, each off by
- * `noise`, is what is left where the root that a ray starts on is divided out, in t / unit; `sizes`: of the terms. */
-typedef struct part { double size, unit, noise, sizes, b[MOST]; int degree; bool beyond; } part;
+ * `noise`, is what is left where the root that a ray starts on is divided out, in t / unit; `sizes`: of the terms. ahead: it may be long. */
+typedef struct part { double size, unit, noise, sizes, b[MOST]; int degree; bool beyond, ahead; } part;
 
 static double distance_of(const part *of, double x) { return of->beyond ? of->size / x : of->size * x; }
 
@@ -231,6 +231,21 @@ static bool is_good(const search *s, const common_polynomial_root *r)
            common_polynomial_trust(s->p, r, value, sizes_at(s->p, point, far), step) > 0.0;
 }
 
+/* The next step of Newton's method: a long stretch makes much of what its coefficients are off by. */
+static bool is_good_ahead(const search *s, double *t)
+{
+    const pov_vec3 point = common_along(s->k, *t);
+    const double reach = pov_largest(point) + common_far_slack(s->k);
+    pov_vec3 slope;
+    const double value = value_at(s->p, point, &slope);
+    const common_polynomial_root next =
+        common_polynomial_step(*t, value, pov_dot(slope, s->k->d), common_polynomial_size(s->p, reach), reach);
+    const bool good = is_good(s, &next);
+
+    *t = good ? next.t : *t;
+    return good;
+}
+
 static bool report(const search *s, const part *of, const common_root *found)
 {
     pov_two t = { distance_of(of, found->known ? found->x : found->lo), 0.0 };
@@ -241,7 +256,7 @@ static bool report(const search *s, const part *of, const common_root *found)
     if (found->known && !is_enough(s, t.hi)) {
         const common_polynomial_root r = root_of(s, of, found->x);
 
-        if (!is_good(s, &r)) {
+        if (!(of->ahead ? is_good_ahead(s, &t.hi) : is_good(s, &r))) {
             const double one = distance_of(of, found->lo), other = distance_of(of, found->hi);
             const bool rising = found->rising == ((of->size < 0.0) == of->beyond);
 
@@ -273,6 +288,7 @@ static outcome search_part(const search *s, int degree, double size, bool beyond
     of.unit = 1.0;
     of.degree = degree;
     of.beyond = beyond;
+    of.ahead = false;
     of.noise = 0.0;
     for (int i = 0; i <= degree; i++) {
         a[beyond ? degree - i : i] = c[i] * power;
@@ -441,7 +457,7 @@ static outcome search_stretch(search *s, double lo, double hi, double sizes)
     of.sizes = sizes;
     of.noise = s->p->off * of.sizes;
     of.degree = s->p->order - s->from_here;
-    of.beyond = false;
+    of.beyond = of.ahead = false;
     if (s->from_here && !leave(s->c, of.sizes, &of.noise))
         return OPEN;
     common_bernstein(s->c + s->from_here, of.degree, of.b);
@@ -472,8 +488,49 @@ static outcome search_between(search *s, double lo, double hi)
     return search_stretch(s, lo, hi, common_polynomial_size(s->p, common_polynomial_reach(s->k, s->from, hi - lo)));
 }
 
+/* Roots of a part, from its start on. MORE: none of them is certainly the first that counts. */
+static outcome take_roots(const search *s, const part *of, double enough, double within)
+{
+    common_roots found;
+
+    if (!common_bernstein_certain(of->b, of->degree, of->noise, enough, within, &found))
+        return OPEN;
+    for (uint32_t i = 0; i < found.count; i++)
+        if (!report(s, of, &found.at[i]) || found.at[i].lo >= enough)
+            return ENOUGH;
+    return MORE;
+}
+
+/* From the ray's start on, to a length and beyond it, by coefficients about the start: of a surface about the origin that the ray does not
+ * begin far from. OPEN: it may. */
+static outcome search_ahead(search *s)
+{
+    const int order = s->p->order, degree = order - s->from_here;
+    const double length = common_polynomial_ahead(s->k), per_length = 1.0 / length;
+    const common_wanted wanted = common_wants(s->k, 0.0, 0.0, s->hits);
+    part of = { .size = length, .unit = length, .degree = degree, .ahead = true };
+    double far[MOST];
+    outcome found;
+
+    s->from = common_along(s->k, 0.0);
+    along(s->p, s->from, pov_scale(s->k->d, length), s->c);
+    of.sizes = common_polynomial_size(s->p, common_polynomial_reach(s->k, s->from, length));
+    of.noise = s->p->off * of.sizes;
+    if (!(length > 0.0) || s->c[order] == 0.0 || (s->from_here && !leave(s->c, of.sizes, &of.noise)))
+        return OPEN;
+    common_bernstein(s->c + s->from_here, degree, of.b);
+    found = take_roots(s, &of, wanted.enough * per_length, wanted.within * per_length);
+    if (found != MORE || ends_before(s, length))
+        return found == OPEN ? OPEN : ENOUGH;
+    for (int i = 0; i <= degree; i++)
+        far[i] = s->c[order - i];
+    of.beyond = true;
+    common_bernstein(far, degree, of.b);
+    return take_roots(s, &of, HUGE_VAL, -HUGE_VAL);
+}
+
 /* On the whole line, about the place nearest to the origin. */
-static outcome search_all(search *s)
+static outcome search_about_middle(search *s)
 {
     if (!s->from_here)
         s->base = -pov_dot(pov_two3_hi(s->k->f), s->k->d) / pov_dot(s->k->d, s->k->d);
@@ -482,6 +539,17 @@ static outcome search_all(search *s)
     along(s->p, s->from, s->k->d, s->c);
     find_off(s);
     return search_line(s);
+}
+
+static outcome search_all(search *s, uint32_t count)
+{
+    const outcome found = search_ahead(s);
+
+    if (found != OPEN)
+        return found;
+    if (s->hits->want == POV_WANT_ALL)
+        s->hits->count = count;
+    return search_about_middle(s);
 }
 
 static void begin(search *s, const common_polynomial *p, const common_ray *k, const pov_ray *ray, pov_hits *hits)
@@ -502,7 +570,7 @@ void common_polynomial_intersect(const void *self, const pov_ray *ray, pov_hits 
     search s;
 
     begin(&s, p, &k, ray, hits);
-    if (hits->always_exact || (p->bounded ? search_box(&s) : search_all(&s)) == OPEN)
+    if (hits->always_exact || (p->bounded ? search_box(&s) : search_all(&s, count)) == OPEN)
         escalate(&s, ray, count);
 }
 

@@ -56,6 +56,10 @@ static inline double common_polynomial_reach(const common_ray *k, pov_vec3 from,
     return pov_largest(from) + pov_largest(k->d) * length + common_far_slack(k);
 }
 
+/* Of a ray to a surface without end: it comes as far beyond the origin as it is before it. What is farther is searched by the inverse of the
+ * distance. */
+static inline double common_polynomial_ahead(const common_ray *k) { return 2.0 * pov_largest(pov_two3_hi(k->f)); }
+
 /* For coefficients along a ray, a power of two about as large as the nearer roots are. */
 double common_polynomial_near(const double *c, int degree);
 
@@ -83,6 +87,15 @@ COMMON_INLINE double common_polynomial_trust(const common_polynomial *p, const c
     const double straight = slope > n * r->size * per * (2.0 * n * per * step + 4.0 * p->off) ? 1.0 : 0.0;
 
     return fabs(value) + common_polynomial_value_off(p, sizes) <= 0.5 * step * slope ? straight : 0.0;
+}
+
+/* A root as the value and the slope at a place near by have it, where no coordinate is larger than `reach`, nor one of the ray's direction
+ * than two. */
+COMMON_INLINE common_polynomial_root common_polynomial_step(double t, double value, double slope, double sizes, double reach)
+{
+    const common_polynomial_root next = { 0.0, t - value / slope, slope, sizes, 0.5 * reach };
+
+    return next;
 }
 
 /* The point at a distance. */

@@ -13,8 +13,12 @@ enum { N = COMMON_LANES, HALF = N / 2, MOST = COMMON_DENSE_MAX, LEAST = 3, HALVE
 
 /* ---- a stretch of the ray ---- */
 
-/* By lane: the interval of a ray, and its stretch in local distances. missed: above 0 where nothing of that is in the box. */
-typedef struct stretches { common_lane tmin, tmax, base, length, unit, sizes, known, missed; } stretches;
+/* Where it is looked for: between two distances, in the box, or ahead as search_ahead() has it. */
+typedef enum where { BETWEEN, BOXED, AHEAD } where;
+
+/* By lane: the interval of a ray, and its stretch in local distances. missed: above 0 where nothing of that is in the box. empty: where
+ * nothing is beyond the stretch. */
+typedef struct stretches { common_lane tmin, tmax, base, length, unit, sizes, known, missed, empty; } stretches;
 
 /* As common_polynomial_size(). */
 COMMON_INLINE double size_at(const double *size, int order, double reach)
@@ -50,7 +54,7 @@ COMMON_INLINE common_span clip(const common_ray *k, pov_vec3 lo, pov_vec3 hi)
 }
 
 /* As common_bernstein(), of stretches that are not missed. */
-COMMON_INLINE void put_bernstein(double *a, int order, double missed, uint32_t i, common_bernsteins *out)
+COMMON_INLINE void find_bernstein(double *a, int order)
 {
     double binomial = 1.0;
 
@@ -61,35 +65,60 @@ COMMON_INLINE void put_bernstein(double *a, int order, double missed, uint32_t i
     COMMON_UNROLLED for (int k = 1; k <= order; k++)
         COMMON_UNROLLED for (int j = order; j >= k; j--)
             a[j] += a[j - 1];
-    COMMON_UNROLLED for (int k = 0; k <= order; k++)
-        out->b[k][i] = missed > 0.0 ? 1.0 : a[k];
 }
 
-COMMON_INLINE void find_along(const common_polynomial *p, int order, bool bounded, const common_rays *l, uint32_t i, stretches *io,
+/* Above 0 where the signs of all coefficients are certain, and alike. */
+COMMON_INLINE double is_one_side(const double *b, int order, double noise)
+{
+    double least = b[0], most = b[0];
+
+    COMMON_UNROLLED for (int k = 1; k <= order; k++) {
+        least = b[k] < least ? b[k] : least;
+        most = b[k] > most ? b[k] : most;
+    }
+    return least > noise ? 1.0 : most < -noise ? 1.0 : 0.0;
+}
+
+COMMON_INLINE void find_along(const common_polynomial *p, int order, where in, bool leaves, const common_rays *l, uint32_t i, stretches *io,
                               common_bernsteins *out)
 {
     static const pov_two3 zero = { { 0.0, 0.0 }, { 0.0, 0.0 }, { 0.0, 0.0 } };
     const pov_ray ray = common_get_ray(l, i);
     const common_ray k = common_enter(&ray, zero, 1.0);
     const common_span between = { io->tmin[i] * k.per_unit * (1.0 - 0x1p-40), io->tmax[i] * k.per_unit * (1.0 + 0x1p-40) };
-    const common_span span = bounded ? clip(&k, p->box.lo, p->box.hi) : between;
-    const double lo = span.lo, hi = span.hi, length = hi - lo, ahead = lo * k.unit > io->tmax[i] ? 1.0 : hi < 0.0 ? 1.0 : 0.0;
-    const double missed = bounded ? lo <= hi ? ahead : 1.0 : 0.0;
+    const common_span ahead_of = { 0.0, common_polynomial_ahead(&k) };
+    const bool bounded = in == BOXED;
+    const common_span span = bounded ? clip(&k, p->box.lo, p->box.hi) : in == AHEAD ? ahead_of : between;
+    const double lo = leaves ? 0.0 : span.lo, hi = span.hi, length = hi - lo;
+    const double ahead = span.lo * k.unit > io->tmax[i] ? 1.0 : hi < 0.0 ? 1.0 : 0.0, missed = bounded ? span.lo <= hi ? ahead : 1.0 : 0.0;
+    const int degree = order - leaves;
     const double off = 0x1p-40 * (1.0 + fabs(lo)), least = io->tmin[i] * k.per_unit - lo + off, per_length = 1.0 / length;
     const pov_vec3 from = common_along(&k, lo);
     const double sizes = bounded ? p->sizes : size_at(p->size, order, common_polynomial_reach(&k, from, length));
-    double a[MOST + 1];
+    double noise = (p->off + HALVED * COMMON_U) * sizes, all[MOST + 1], far[MOST + 1], left = 1.0, *a = all + leaves;
 
-    common_dense_along(p->at, order, from, pov_scale(k.d, length), a);
-    put_bernstein(a, order, missed, i, out);
-    out->noise[i] = missed > 0.0 ? 0.0 : (p->off + HALVED * COMMON_U) * sizes;
+    common_dense_along(p->at, order, from, pov_scale(k.d, length), all);
+    if (leaves) {
+        left = 8.0 * (fabs(all[0]) + noise) * sizes <= all[1] * all[1] ? 1.0 : 0.0;
+        noise += 2.0 * fabs(all[0] / all[1]) * sizes;
+    }
+    if (in == AHEAD) {
+        COMMON_UNROLLED for (int j = 0; j <= degree; j++)
+            far[j] = a[degree - j];
+        find_bernstein(far, degree);
+        io->empty[i] = is_one_side(far, degree, noise);
+    }
+    find_bernstein(a, degree);
+    COMMON_UNROLLED for (int j = 0; j <= degree; j++)
+        out->b[j][i] = missed > 0.0 ? 1.0 : a[j];
+    out->noise[i] = missed > 0.0 ? 0.0 : noise;
     out->beyond[i] = (least > 0.0 ? least : 0.0) * per_length;
     out->within[i] = -HUGE_VAL;
     io->base[i] = lo;
     io->length[i] = length;
     io->unit[i] = k.unit;
     io->sizes[i] = sizes;
-    io->known[i] = bounded ? lo < 0x1p40 * p->wide ? 1.0 : missed : hi < HUGE_VAL ? 1.0 : 0.0;
+    io->known[i] = bounded ? lo < 0x1p40 * p->wide ? left > 0.0 ? 1.0 : missed : missed : hi < HUGE_VAL ? length > 0.0 ? left : 0.0 : 0.0;
     io->missed[i] = missed;
 }
 
@@ -108,19 +137,44 @@ COMMON_INLINE double slope_at(const common_bernsteins *all, int order, uint32_t 
 }
 
 /* Above 0 where the distance is good enough. */
-COMMON_INLINE double is_good(const common_polynomial *p, int order, const common_rays *l, uint32_t i, const stretches *s,
-                             const common_bernsteins *all, double x)
+COMMON_INLINE double is_root_good(const common_polynomial *p, int order, const common_ray *k, const common_polynomial_root *root)
+{
+    const pov_two at = pov_two_sum(root->base, root->t);
+    const pov_vec3 point = common_polynomial_point(k, at);
+    const double reach = pov_largest(point) + common_far_slack(k), sizes = size_at(p->size, order, reach);
+
+    return common_polynomial_trust(p, root, common_dense_at(p->at, order, point).value, sizes, common_polynomial_allowed(p, at.hi, reach));
+}
+
+/* The distance, from the base, of a root. */
+COMMON_INLINE double is_good(const common_polynomial *p, int order, bool leaves, const common_rays *l, uint32_t i, const stretches *s,
+                             const common_bernsteins *all, double x, double *t)
 {
     static const pov_two3 zero = { { 0.0, 0.0 }, { 0.0, 0.0 }, { 0.0, 0.0 } };
     const pov_ray ray = common_get_ray(l, i);
     const common_ray k = common_enter(&ray, zero, 1.0);
-    const double slope = slope_at(all, order, i, x) / s->length[i];
-    const common_polynomial_root root = { s->base[i], x * s->length[i], slope, s->sizes[i], s->length[i] };
-    const pov_two at = pov_two_sum(root.base, root.t);
-    const pov_vec3 point = common_polynomial_point(&k, at);
-    const double reach = pov_largest(point) + common_far_slack(&k), sizes = size_at(p->size, order, reach);
+    const double length = s->length[i], at = x * length, slope = slope_at(all, order - leaves, i, x) / length;
+    const common_polynomial_root root = { s->base[i], at, leaves ? slope * (at / length) : slope, s->sizes[i], length };
 
-    return common_polynomial_trust(p, &root, common_dense_at(p->at, order, point).value, sizes, common_polynomial_allowed(p, at.hi, reach));
+    *t = root.t;
+    return is_root_good(p, order, &k, &root);
+}
+
+COMMON_INLINE double is_good_ahead(const common_polynomial *p, int order, const common_rays *l, uint32_t i, const stretches *s, double x,
+                                   double *t)
+{
+    static const pov_two3 zero = { { 0.0, 0.0 }, { 0.0, 0.0 }, { 0.0, 0.0 } };
+    const pov_ray ray = common_get_ray(l, i);
+    const common_ray k = common_enter(&ray, zero, 1.0);
+    const double from = x * s->length[i];
+    const pov_vec3 point = common_along(&k, from);
+    const double reach = pov_largest(point) + common_far_slack(&k);
+    const common_sloped here = common_dense_at(p->at, order, point);
+    const common_polynomial_root next = common_polynomial_step(from, here.value, pov_dot(pov_vec3_of(here.x, here.y, here.z), k.d),
+                                                               size_at(p->size, order, reach), reach);
+
+    *t = next.t;
+    return is_root_good(p, order, &k, &next);
 }
 
 /* A normal, and not 0 where pov_unit() does not scale. */
@@ -138,42 +192,58 @@ COMMON_INLINE double find_normal(const common_polynomial *p, int order, const co
     return (int)(largest > 1e-100) & (int)(largest < 1e100) ? 1.0 : 0.0;
 }
 
-/* Functions an order, whose loops are unrolled. */
+/* Functions an order, whose loops are unrolled. leaves: rays start on the surface, and that root is divided out. */
+#define FIND_ALONG(name, n, in, leaves)                                                                                                    \
+    COMMON_SEPARATE static void name(const common_polynomial *p, const common_rays *restrict l, stretches *restrict io,                    \
+                                     common_bernsteins *restrict out)                                                                      \
+    {                                                                                                                                      \
+        for (uint32_t i = 0; i < N; i++)                                                                                                   \
+            find_along(p, n, in, leaves, l, i, io, out);                                                                                   \
+    }
+
+#define FIND_GOOD(name, n, leaves)                                                                                                         \
+    COMMON_SEPARATE static void name(const common_polynomial *p, const common_rays *restrict l, const stretches *restrict s,               \
+                                     const common_bernsteins *restrict all, const double *restrict x, double *restrict t,                  \
+                                     double *restrict good)                                                                                \
+    {                                                                                                                                      \
+        for (uint32_t i = 0; i < N; i++)                                                                                                   \
+            good[i] = is_good(p, n, leaves, l, i, s, all, x[i], &t[i]);                                                                    \
+    }
+
 #define OF_ORDER(n)                                                                                                                        \
-    COMMON_SEPARATE static void find_between_##n(const common_polynomial *p, const common_rays *restrict l, stretches *restrict io,        \
-                                                 common_bernsteins *restrict out)                                                         \
+    COMMON_SEPARATE static void find_good_ahead_##n(const common_polynomial *p, const common_rays *restrict l,                             \
+                                                    const stretches *restrict s, const double *restrict x, double *restrict t,             \
+                                                    double *restrict good)                                                                 \
     {                                                                                                                                      \
         for (uint32_t i = 0; i < N; i++)                                                                                                   \
-            find_along(p, n, false, l, i, io, out);                                                                                        \
-    }                                                                                                                                      \
-    COMMON_SEPARATE static void find_boxed_##n(const common_polynomial *p, const common_rays *restrict l, stretches *restrict io,          \
-                                               common_bernsteins *restrict out)                                                           \
-    {                                                                                                                                      \
-        for (uint32_t i = 0; i < N; i++)                                                                                                   \
-            find_along(p, n, true, l, i, io, out);                                                                                         \
-    }                                                                                                                                      \
-    COMMON_SEPARATE static void find_good_##n(const common_polynomial *p, const common_rays *restrict l, const stretches *restrict s,      \
-                                              const common_bernsteins *restrict all, const double *restrict x, double *restrict good)     \
-    {                                                                                                                                      \
-        for (uint32_t i = 0; i < N; i++)                                                                                                   \
-            good[i] = is_good(p, n, l, i, s, all, x[i]);                                                                                   \
+            good[i] = is_good_ahead(p, n, l, i, s, x[i], &t[i]);                                                                           \
     }                                                                                                                                      \
     COMMON_SEPARATE static void find_normals_##n(const common_polynomial *p, const common_rays *restrict l, const double *restrict t,      \
-                                                 const double *restrict t_lo, common_lane3 *restrict out, double *restrict good)          \
+                                                 const double *restrict t_lo, common_lane3 *restrict out, double *restrict good)           \
     {                                                                                                                                      \
         for (uint32_t i = 0; i < N; i++)                                                                                                   \
             good[i] = find_normal(p, n, l, i, t[i], t_lo[i], out);                                                                         \
-    }
+    }                                                                                                                                      \
+    FIND_ALONG(find_between_##n, n, BETWEEN, false)                                                                                        \
+    FIND_ALONG(find_boxed_##n, n, BOXED, false)                                                                                            \
+    FIND_ALONG(find_ahead_##n, n, AHEAD, false)                                                                                            \
+    FIND_GOOD(find_good_##n, n, false)
 
 OF_ORDER(3)
 OF_ORDER(4)
+FIND_ALONG(leave_between_4, 4, BETWEEN, true)
+FIND_ALONG(leave_boxed_4, 4, BOXED, true)
+FIND_ALONG(leave_ahead_4, 4, AHEAD, true)
+FIND_GOOD(leave_good_4, 4, true)
 
 /* ---- crossings ---- */
 
-static bool is_known(const stretches *s, const common_first_of_bernsteins *of, uint32_t i, const pov_ray *ray, const pov_hits *hits)
+/* What is asked of n rays, which all start on the surface or beside it. */
+typedef struct asked { const common_polynomial *p; where in; bool leaves; const pov_ray *rays[N]; pov_hits *hits[N]; uint32_t n; } asked;
+
+static bool is_known(const stretches *s, const common_first_of_bernsteins *of, uint32_t i, const pov_hits *hits)
 {
-    return s->known[i] > 0.0 && !(of->open[i] > 0.0) && hits->want != POV_WANT_ALL && !hits->always_exact &&
-           ray->origin_surface != hits->owner;
+    return s->known[i] > 0.0 && !(of->open[i] > 0.0) && hits->want != POV_WANT_ALL && !hits->always_exact;
 }
 
 static bool is_any(const double *flags)
@@ -185,9 +255,9 @@ static bool is_any(const double *flags)
     return any;
 }
 
-static void report(const stretches *s, const common_first_of_bernsteins *of, uint32_t i, pov_hits *hits)
+static void report(const stretches *s, double t, uint32_t i, pov_hits *hits)
 {
-    const pov_two at = pov_two_sum(s->base[i], of->root[i] * s->length[i]);
+    const pov_two at = pov_two_sum(s->base[i], t);
     const pov_mark mark = { 0, 0, 0.0, 0.0 };
 
     pov_cross(hits, at.hi * s->unit[i], at.lo * s->unit[i], mark);
@@ -201,44 +271,71 @@ static bool is_enough(const stretches *s, uint32_t i, double x, const pov_hits *
     return hits->want == POV_WANT_ANY && at - off > hits->tmin && at + off + hits->slack < hits->tmax;
 }
 
-static void find_stretches(const common_polynomial *p, const common_rays *l, stretches *io, common_bernsteins *out)
+static void find_stretches(const asked *k, const common_rays *l, stretches *io, common_bernsteins *out)
 {
-    if (p->order == 3)
-        (p->bounded ? find_boxed_3 : find_between_3)(p, l, io, out);
+    if (k->leaves)
+        (k->in == BOXED ? leave_boxed_4 : k->in == AHEAD ? leave_ahead_4 : leave_between_4)(k->p, l, io, out);
+    else if (k->p->order == 3)
+        (k->in == BOXED ? find_boxed_3 : k->in == AHEAD ? find_ahead_3 : find_between_3)(k->p, l, io, out);
     else
-        (p->bounded ? find_boxed_4 : find_between_4)(p, l, io, out);
+        (k->in == BOXED ? find_boxed_4 : k->in == AHEAD ? find_ahead_4 : find_between_4)(k->p, l, io, out);
 }
 
-/* Between the two distances of each, or in the box. */
-static void intersect_some(const common_polynomial *p, const pov_ray *const *rays, pov_hits *const *hits, uint32_t n)
+static void find_good(const asked *k, const common_rays *l, const stretches *s, const common_bernsteins *all, const double *x, double *t,
+                      double *good)
+{
+    if (k->in == AHEAD)
+        (k->p->order == 3 ? find_good_ahead_3 : find_good_ahead_4)(k->p, l, s, x, t, good);
+    else if (k->leaves)
+        leave_good_4(k->p, l, s, all, x, t, good);
+    else
+        (k->p->order == 3 ? find_good_3 : find_good_4)(k->p, l, s, all, x, t, good);
+}
+
+/* What is not decided here. */
+static void intersect_one(const asked *k, uint32_t i)
+{
+    (k->in == BETWEEN ? common_polynomial_intersect_between : common_polynomial_intersect)(k->p, k->rays[i], k->hits[i]);
+}
+
+/* Is there nothing beyond the stretch, or nothing that counts? */
+static bool is_all(const stretches *s, where in, uint32_t i, const pov_hits *hits)
+{
+    return in != AHEAD || s->empty[i] > 0.0 || s->length[i] * s->unit[i] * (1.0 - 0x1p-40) > hits->tmax + hits->slack;
+}
+
+static void intersect_some(const asked *k)
 {
     common_first_of_bernsteins first;
     common_bernsteins all;
     common_rays lanes;
-    common_lane good;
+    common_lane good, t;
     stretches s;
 
-    common_put_four_of(&lanes, 0, rays, n);
-    common_put_four_of(&lanes, HALF, rays, n);
+    common_put_four_of(&lanes, 0, k->rays, k->n);
+    common_put_four_of(&lanes, HALF, k->rays, k->n);
     for (uint32_t i = 0; i < N; i++) {
-        const pov_hits *h = hits[common_lane_of(i, n)];
+        const pov_hits *h = k->hits[common_lane_of(i, k->n)];
 
         s.tmin[i] = h->tmin;
         s.tmax[i] = h->tmax;
     }
-    find_stretches(p, &lanes, &s, &all);
-    common_bernstein_certain_many(&all, p->order, &first);
+    find_stretches(k, &lanes, &s, &all);
+    common_bernstein_certain_many(&all, k->p->order - k->leaves, &first);
     if (is_any(first.found))
-        (p->order == 3 ? find_good_3 : find_good_4)(p, &lanes, &s, &all, first.root, good);
-    for (uint32_t i = 0; i < n; i++) {
+        find_good(k, &lanes, &s, &all, first.root, t, good);
+    for (uint32_t i = 0; i < k->n; i++) {
         const bool found = first.found[i] > 0.0;
+        pov_hits *hits = k->hits[i];
 
-        if (s.missed[i] > 0.0 && !hits[i]->always_exact && rays[i]->origin_surface != hits[i]->owner)
+        if (s.missed[i] > 0.0 && !hits->always_exact)
             continue;
-        if (!is_known(&s, &first, i, rays[i], hits[i]) || (found && !(good[i] > 0.0) && !is_enough(&s, i, first.root[i], hits[i])))
-            common_polynomial_intersect_between(p, rays[i], hits[i]);
+        if (!is_known(&s, &first, i, hits) || (found && !(good[i] > 0.0) && !is_enough(&s, i, first.root[i], hits)))
+            intersect_one(k, i);
         else if (found)
-            report(&s, &first, i, hits[i]);
+            report(&s, good[i] > 0.0 ? t[i] : first.root[i] * s.length[i], i, hits);
+        else if (!is_all(&s, k->in, i, hits))
+            intersect_one(k, i);
     }
 }
 
@@ -253,18 +350,39 @@ static uint32_t count_alike(const void *const *selves, uint32_t n)
     return some;
 }
 
+static void intersect_asked(const asked *k)
+{
+    const int order = k->p->order;
+
+    if (k->n >= LEAST && (k->leaves ? order == 4 : order == 3 || order == 4))
+        intersect_some(k);
+    else
+        for (uint32_t i = 0; i < k->n; i++)
+            intersect_one(k, i);
+}
+
 /* Between the two distances of each, or all of it. */
 static void intersect_alike(const void *const *selves, const pov_ray *const *rays, pov_hits *const *hits, uint32_t n, bool between)
 {
     for (uint32_t some; n > 0; n -= some, selves += some, rays += some, hits += some) {
         const common_polynomial *p = selves[0];
+        asked k[2];
 
         some = count_alike(selves, n);
-        if (some >= LEAST && (between || p->bounded))
-            intersect_some(p, rays, hits, some);
-        else
-            for (uint32_t i = 0; i < some; i++)
-                (between ? common_polynomial_intersect_between : common_polynomial_intersect)(p, rays[i], hits[i]);
+        for (int leaves = 0; leaves < 2; leaves++) {
+            k[leaves].p = p;
+            k[leaves].in = p->bounded ? BOXED : between ? BETWEEN : AHEAD;
+            k[leaves].leaves = leaves;
+            k[leaves].n = 0;
+        }
+        for (uint32_t i = 0; i < some; i++) {
+            asked *to = &k[rays[i]->origin_surface == hits[i]->owner];
+
+            to->rays[to->n] = rays[i];
+            to->hits[to->n++] = hits[i];
+        }
+        intersect_asked(&k[0]);
+        intersect_asked(&k[1]);
     }
 }
 
