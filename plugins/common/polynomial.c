@@ -541,15 +541,12 @@ static outcome search_about_middle(search *s)
     return search_line(s);
 }
 
-static outcome search_all(search *s, uint32_t count)
+/* Where all roots are asked for, most of them are not the first: those about the middle are found to more digits. */
+static outcome search_all(search *s)
 {
-    const outcome found = search_ahead(s);
+    const outcome found = s->hits->want == POV_WANT_ALL ? OPEN : search_ahead(s);
 
-    if (found != OPEN)
-        return found;
-    if (s->hits->want == POV_WANT_ALL)
-        s->hits->count = count;
-    return search_about_middle(s);
+    return found == OPEN ? search_about_middle(s) : found;
 }
 
 static void begin(search *s, const common_polynomial *p, const common_ray *k, const pov_ray *ray, pov_hits *hits)
@@ -570,7 +567,7 @@ void common_polynomial_intersect(const void *self, const pov_ray *ray, pov_hits 
     search s;
 
     begin(&s, p, &k, ray, hits);
-    if (hits->always_exact || (p->bounded ? search_box(&s) : search_all(&s, count)) == OPEN)
+    if (hits->always_exact || (p->bounded ? search_box(&s) : search_all(&s)) == OPEN)
         escalate(&s, ray, count);
 }
 
