@@ -17,6 +17,8 @@ typedef struct around {
     uint32_t lights;             /* number of the light group that this is or is in; 0: none */
 } around;
 
+static const uint32_t hiding_flags = LEAF_NO_IMAGE | LEAF_NO_REFLECTION | LEAF_NO_RADIOSITY;
+
 /* Its own texture and interior, or each from the nearest group around it that has one. */
 static void find_surface(const pov_reader *in, const object_parsed *o, const around *a, surface_parsed *found)
 {
@@ -105,13 +107,31 @@ static const media *find_media(pov_reader *in, const object_parsed *o, const aro
     return found ? parse_media_settle(in, parse_media_move(in, found, moves)) : NULL;
 }
 
+/* So is a light that has an object. */
+static bool is_union(const object_parsed *o)
+{
+    return (o->kind == OBJECT_GROUP && o->op == NODE_UNION) || o->kind == OBJECT_LIGHT;
+}
+
+/* Which rays do not see it. What is one solid is seen as a whole: as in POV-Ray only merges, and unions in nothing else, ask
+ * their members, and unions in solids for no_reflection alone. */
+static uint32_t find_hidden(const object_parsed *o, const around *a)
+{
+    uint32_t hidden = 0, of_unions = 0;
+
+    for (; a; o = a->group, a = a->outer) {
+        of_unions = is_union(a->group) ? of_unions | o->flags : 0;
+        hidden |= a->group->op == NODE_MERGE ? o->flags : is_union(o) || is_union(a->group) ? o->flags & LEAF_NO_REFLECTION : 0;
+    }
+    return (hidden | of_unions | o->flags) & hiding_flags;
+}
+
 static uint32_t find_flags(const object_parsed *o, const around *a)
 {
-    uint32_t flags = o->flags;
+    uint32_t flags = (o->flags & ~hiding_flags) | find_hidden(o, a);
 
     for (; a; a = a->outer)
-        flags |= a->group->flags & (LEAF_NO_SHADOW | LEAF_HOLLOW | LEAF_DOUBLE_ILLUMINATE | LEAF_NO_IMAGE | LEAF_NO_REFLECTION | LEAF_NO_RADIOSITY |
-                                    PHOTON_OBJECT_FLAGS);
+        flags |= a->group->flags & (LEAF_NO_SHADOW | LEAF_HOLLOW | LEAF_DOUBLE_ILLUMINATE | PHOTON_OBJECT_FLAGS);
     return flags;
 }
 

@@ -108,6 +108,35 @@ static void flags_of_groups_hold_where_they_belong(void **state)
     reading_end(&r);
 }
 
+static void assert_hidden(const char *text, uint32_t first, uint32_t second)
+{
+    reading r;
+
+    read_text(&r, text);
+    if (r.model.leaves.items[0].flags != first || r.model.leaves.items[1].flags != second)
+        fail_msg("%s: flags %u and %u, not %u and %u", text, r.model.leaves.items[0].flags, r.model.leaves.items[1].flags, first, second);
+    reading_end(&r);
+}
+
+/* As in POV-Ray, whose intersections and differences ask no member which rays see it. */
+static void a_solid_is_seen_as_a_whole(void **state)
+{
+    const uint32_t image = LEAF_NO_IMAGE;
+
+    (void)state;
+    assert_hidden("union { sphere { 0, 1 no_image } box { 0, 1 } }", image, 0);
+    assert_hidden("merge { sphere { 0, 1 no_image } box { 0, 1 } }", image, 0);
+    assert_hidden("intersection { sphere { 0, 1 no_image } box { 0, 1 } no_reflection }", LEAF_NO_REFLECTION, LEAF_NO_REFLECTION);
+    assert_hidden("difference { sphere { 0, 1 } box { 0, 1 no_radiosity } }", 0, 0);
+    assert_hidden("difference { union { sphere { 0, 1 no_image } box { 0, 1 } no_image } sphere { 1, 1 } }", 0, 0);
+    assert_hidden("difference { union { sphere { 0, 1 no_reflection } box { 0, 1 } } sphere { 1, 1 } }", LEAF_NO_REFLECTION, 0);
+    assert_hidden("difference { union { sphere { 0, 1 } box { 0, 1 } no_reflection } sphere { 1, 1 } }", LEAF_NO_REFLECTION, LEAF_NO_REFLECTION);
+    assert_hidden("difference { merge { sphere { 0, 1 no_image } box { 0, 1 } } sphere { 1, 1 } }", image, 0);
+    assert_hidden("merge { union { sphere { 0, 1 no_image } box { 0, 1 } } sphere { 1, 1 } }", 0, 0);
+    assert_hidden("merge { union { sphere { 0, 1 } box { 0, 1 } no_image } sphere { 1, 1 } }", image, image);
+    assert_hidden("union { difference { sphere { 0, 1 } box { 0, 1 } no_image } sphere { 1, 1 } }", image, image);
+}
+
 static void a_group_of_nothing_is_nothing(void **state)
 {
     reading r;
@@ -177,6 +206,7 @@ int main(void)
         cmocka_unit_test(a_member_takes_what_it_lacks_from_the_nearest_group),
         cmocka_unit_test(transformations_of_groups_follow_their_members),
         cmocka_unit_test(flags_of_groups_hold_where_they_belong),
+        cmocka_unit_test(a_solid_is_seen_as_a_whole),
         cmocka_unit_test(a_group_of_nothing_is_nothing),
         cmocka_unit_test(a_clip_is_moved_by_what_follows_it),
         cmocka_unit_test(a_named_object_keeps_its_clip_when_a_copy_gets_another),
