@@ -275,7 +275,7 @@ static void decide_dialect(pov_reader *in)
         report_memory(in);
 }
 
-static void read_text(pov_reader *in, const build_part *part, bool is_whole)
+static void read_text(pov_reader *in, const build_part *part)
 {
     frame_begin_text(in, part->text, part->length, part->name);
     if (in->failed)
@@ -286,8 +286,6 @@ static void read_text(pov_reader *in, const build_part *part, bool is_whole)
     }
     refuse_other_files(in, part->text, part->length);
     state_advance(in);
-    if (is_whole && !in->failed && state_at_end(in) && !in->povray_word.source)
-        report_fail(in, &in->token.at, POV_E_SYNTAX, "there is nothing in this text");
     parse_scene(in);
     if (!in->failed && in->conditions.count > 0)
         report_fail(in, &in->conditions.items[in->conditions.count - 1].at, POV_E_SYNTAX,
@@ -298,7 +296,7 @@ static void read_part(pov_reader *in, const scene_parts *all, const build_part *
 {
     switch (part->kind) {
     case BUILD_TEXT:
-        read_text(in, part, all->parts.count == 1);
+        read_text(in, part);
         break;
     case BUILD_SHAPES:
         parse_arrays(in, all, part);

@@ -193,6 +193,11 @@ messages_defect_20_a_black_picture_is_explained() {
     echo 'light_source { 9*y rgb 1 }' > empty.pov
     expect 0 "$povc" empty.pov 8 6 o.png
     says err "the picture is black: the scene has no object"
+    for text in '' '// only a comment' '/* and another */'; do
+        printf '%s' "$text" > nothing.pov
+        expect 0 "$povc" nothing.pov 8 6 o.png
+        says err "the picture is black: the scene has no object"
+    done
     echo 'light_source { 9*y rgb 1 } sphere { 0, 1 }' > inside.pov
     expect 0 "$povc" inside.pov 8 6 o.png
     says err "nothing is in view, or no light reaches it; there is no camera, so it stands at <0, 0, 0>"

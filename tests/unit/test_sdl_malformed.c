@@ -18,16 +18,6 @@ enum { TOLD_IN_MACROS = 240 };   /* of the cases below; some are no text that a 
 #define TEXT(text) text, sizeof(text) - 1
 
 static const malformed cases[] = {
-    { TEXT(""), POV_E_SYNTAX, 1, 1,
-      "there is nothing in this text", "" },
-    { TEXT(" \n\t\r\n"), POV_E_SYNTAX, 3, 1,
-      "there is nothing in this text", "" },
-    { TEXT("// only a comment"), POV_E_SYNTAX, 1, 18,
-      "there is nothing in this text", "" },
-    { TEXT("/* only a comment */\n"), POV_E_SYNTAX, 2, 1,
-      "there is nothing in this text", "" },
-    { TEXT("\357\273\277"), POV_E_SYNTAX, 1, 1,
-      "there is nothing in this text", "" },
     { TEXT("/*"), POV_E_SYNTAX, 1, 1,
       "the comment that begins here has no end", "" },
     { TEXT("sphere { 0, 1 } /* /* */"), POV_E_SYNTAX, 1, 17,
