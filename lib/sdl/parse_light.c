@@ -162,16 +162,30 @@ static void read_interaction(pov_reader *in, void *self, keyword_id keyword)
 
 static const item_list no_items = { "the end of the block", NULL, 0, NULL, NULL, NULL, VALUE_NOTHING, NULL };
 
-/* False: there is none. */
-static bool read_object(pov_reader *in, light_reading *r, object_parsed *out)
+static void move_by(pov_reader *in, object_parsed *o, const transform *shift)
+{
+    const media **filling = &o->surface.material.interior.media;
+
+    if (!shift)
+        return;
+    parse_append_transforms(in, &o->map, shift, NULL);
+    o->surface.moves += parse_count_transforms(shift);
+    *filling = in->failed ? NULL : parse_media_move(in, *filling, shift);
+}
+
+/* An object, moved, and modifiers that hold for it there. False: there is none. */
+static bool read_object(pov_reader *in, light_reading *r, const transform *shift, object_parsed *out)
 {
     bool found;
     block b;
 
     items_open(in, &b);
     found = parse_object_try(in, out);
-    if (!found)
+    if (found)
+        move_by(in, out, shift);
+    else
         report_expected(in, "an object");
+    parse_modifiers(in, out, '}');
     items_close(in, &b, &no_items, r);
     return found;
 }
@@ -193,16 +207,11 @@ static const transform *find_shift(pov_reader *in, const object_parsed *o)
 static void read_looks_like(pov_reader *in, void *self, keyword_id keyword)
 {
     light_reading *r = self;
-    const transform *const shift = find_shift(in, r->out);
     object_parsed shown;
-    const media **filling = &shown.surface.material.interior.media;
 
     (void)keyword;
-    if (!read_object(in, r, &shown))
+    if (!read_object(in, r, find_shift(in, r->out), &shown))
         return;
-    parse_append_transforms(in, &shown.map, shift, NULL);
-    shown.surface.moves += parse_count_transforms(shift);
-    *filling = in->failed ? NULL : parse_media_move(in, *filling, shift);
     shown.flags |= LEAF_NO_SHADOW;
     shown.since = r->out->map;
     r->out->first = parse_keep(in, &shown);
@@ -215,7 +224,7 @@ static void read_projected_through(pov_reader *in, void *self, keyword_id keywor
     object_parsed hole;
 
     (void)keyword;
-    if (!read_object(in, r, &hole))
+    if (!read_object(in, r, NULL, &hole))
         return;
     hole.flags |= LEAF_NO_SHADOW | LEAF_NO_IMAGE | LEAF_NO_REFLECTION;
     hole.since = r->out->map;

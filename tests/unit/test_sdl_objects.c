@@ -496,6 +496,9 @@ static void objects_of_a_light_are_moved_as_far_as_they_are_said(void **state)
     (void)state;
     expect_first_leaf("light_source { y rgb 1 scale 2 looks_like { sphere { 0, 1 } } }", pov_vec3_of(0.0, 2.0, 0.0), 1.0);
     expect_first_leaf("light_source { y rgb 1 looks_like { sphere { 0, 1 } } scale 2 }", pov_vec3_of(0.0, 2.0, 0.0), 2.0);
+    expect_first_leaf("light_source { y rgb 1 looks_like { sphere { 0, 1 } scale 2 } translate y }", pov_vec3_of(0.0, 3.0, 0.0), 2.0);
+    expect_first_leaf("light_source { y rgb 1 looks_like { sphere { 0, 1 } pigment { rgb x } translate x } }", pov_vec3_of(1.0, 1.0, 0.0), 1.0);
+    expect_first_leaf("light_source { y rgb 1 projected_through { sphere { 0, 1 } scale 2 translate x } }", pov_vec3_of(1.0, 0.0, 0.0), 2.0);
     expect_first_leaf("light_source { y rgb 1 translate x projected_through { sphere { 0, 1 } } scale 2 }",
                       pov_vec3_of(0.0, 0.0, 0.0), 2.0);
 }
