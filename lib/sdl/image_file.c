@@ -116,11 +116,10 @@ static void *begin(void *user, const pov_raster *about)
 
     if (d->out->samples || !is_possible(about, d->count))
         return NULL;
-    if (about->stride * (size_t)about->height > d->in->limits.images - d->in->image_bytes) {
+    if (!limit_images(d->in, about->stride * (size_t)about->height)) {
         d->wanted = about->stride * (size_t)about->height;
         return NULL;
     }
-    d->in->image_bytes += about->stride * (size_t)about->height;
     describe(about, d->is_cut, d->out);
     samples = state_alloc(d->in, about->stride * (size_t)about->height, 16);
     d->out->samples = samples;

@@ -2,6 +2,7 @@
 
 #include "sdl/function_host.h"
 #include "sdl/host_parts.h"
+#include "sdl/limit.h"
 #include "sdl/report.h"
 #include "sdl/value.h"
 
@@ -29,11 +30,11 @@ static uint16_t sample_of(double v)
 }
 
 /* Several pixels of a row at once. */
-static void fill(const pov_function *f, const image *of, uint16_t *samples, double *memory)
+static void fill(pov_reader *in, const pov_function *f, const image *of, uint16_t *samples, double *memory)
 {
     double at[3][POV_VALUES] = { { 0.0 } }, found[POV_VALUES];
 
-    for (uint32_t row = 0; row < of->height; row++)
+    for (uint32_t row = 0; row < of->height && limit_time(in, &in->value); row++)
         for (uint32_t from = 0; from < of->width; from += POV_VALUES) {
             const uint32_t n = of->width - from < POV_VALUES ? of->width - from : POV_VALUES;
 
@@ -48,9 +49,9 @@ static void fill(const pov_function *f, const image *of, uint16_t *samples, doub
 }
 
 /* The filter of a pigment is not kept, as POV-Ray has it. */
-static void fill_colours(const function *f, const image *of, uint16_t *samples)
+static void fill_colours(pov_reader *in, const function *f, const image *of, uint16_t *samples)
 {
-    for (uint32_t row = 0; row < of->height; row++)
+    for (uint32_t row = 0; row < of->height && limit_time(in, &in->value); row++)
         for (uint32_t column = 0; column < of->width; column++, samples += 4) {
             const double at[3] = { place_of(column, of->width), place_of(row, of->height), 0.0 };
             double c[5];
@@ -83,14 +84,19 @@ const image *image_function_parse(pov_reader *in, bool colours)
     out->bits = 16;
     out->encoding = POV_ENCODING_STORED;
     out->stride = sizeof *samples * out->channels * out->width;
+    if (!limit_images(in, out->stride * out->height)) {
+        report_fail(in, &in->value, POV_E_MEMORY, "this image takes %zu bytes, of %zu that images may still take", out->stride * out->height,
+                    in->limits.images - in->image_bytes);
+        return NULL;
+    }
     samples = state_alloc(in, out->stride * out->height, 16);
     memory = state_alloc(in, f->memory_many * sizeof *memory, 16);
     if (in->failed)
         return NULL;
     if (colours)
-        fill_colours(host_function_of(f), out, samples);
+        fill_colours(in, host_function_of(f), out, samples);
     else
-        fill(f, out, samples, memory);
+        fill(in, f, out, samples, memory);
     out->samples = (unsigned char *)samples;
-    return out;
+    return in->failed ? NULL : out;
 }

@@ -28,15 +28,18 @@ void limit_tell(pov_reader *in)
         report_fail(in, &in->token.at, POV_E_CANCELLED, "loading was cancelled");
 }
 
-void limit_look(pov_reader *in, const place *at)
+bool limit_time(pov_reader *in, const place *at)
 {
     limit_tell(in);
-    if (in->failed)
-        return;
-    if (scene_bytes(in) > in->limits.memory)
-        report_fail(in, at, POV_E_MEMORY, "this loop has made the scene larger than %zu bytes", in->limits.memory);
-    else if (clock_seconds() - in->started > in->limits.seconds)
+    if (!in->failed && clock_seconds() - in->started > in->limits.seconds)
         report_fail(in, at, POV_E_SYNTAX, "reading takes longer than %g seconds", in->limits.seconds);
+    return !in->failed;
+}
+
+void limit_look(pov_reader *in, const place *at)
+{
+    if (limit_time(in, at) && scene_bytes(in) > in->limits.memory)
+        report_fail(in, at, POV_E_MEMORY, "this loop has made the scene larger than %zu bytes", in->limits.memory);
 }
 
 bool limit_input(pov_reader *in, size_t bytes)
@@ -44,6 +47,14 @@ bool limit_input(pov_reader *in, size_t bytes)
     const bool fits = bytes <= in->limits.input - in->input;
 
     in->input += fits ? bytes : 0;
+    return fits;
+}
+
+bool limit_images(pov_reader *in, size_t bytes)
+{
+    const bool fits = bytes <= in->limits.images - in->image_bytes;
+
+    in->image_bytes += fits ? bytes : 0;
     return fits;
 }
 

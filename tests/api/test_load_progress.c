@@ -86,22 +86,24 @@ static void loading_is_cancelled_at_any_call(void **state)
     free(text);
 }
 
-/* A loop stands still in the text. */
-static void an_endless_loop_is_cancelled(void **state)
+/* What stands still in the text, such as a loop. */
+static void what_takes_long_is_cancelled(void **state)
 {
-    static const char *const loops[] = {
+    static const char *const texts[] = {
         "#version 3.7; #declare I = 0; #while (1) #declare I = I + 1; #end",
         "#version 3.7; #while (1) sphere { 0, 1 } #end",
         "#version 3.7; #macro M() #local X = 1; #end #while (1) M() #end",
+        "#version 3.7; sphere { 0, 1 pigment { image_map { function 100, 3000 { pigment { rgb x } } } } }",
+        "#version 3.7; sphere { 0, 1 pigment { image_pattern { function 100, 3000 { x } } } }",
     };
 
     (void)state;
-    for (size_t i = 0; i < sizeof loops / sizeof *loops; i++) {
+    for (size_t i = 0; i < sizeof texts / sizeof *texts; i++) {
         watch w = { .until = 9 };
         pov_error err = { 0 };
         pov_scene *scene;
 
-        assert_int_equal(load(&scene, loops[i], &w, &err), POV_E_CANCELLED);
+        assert_int_equal(load(&scene, texts[i], &w, &err), POV_E_CANCELLED);
         assert_true(err.line == 1 && err.column > 10);
         assert_int_equal(w.calls, 9);
     }
@@ -112,7 +114,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(loading_says_how_far_it_is),
         cmocka_unit_test(loading_is_cancelled_at_any_call),
-        cmocka_unit_test(an_endless_loop_is_cancelled),
+        cmocka_unit_test(what_takes_long_is_cancelled),
     };
 
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -66,6 +66,15 @@ messages_about_loops_that_do_not_end_say_where() {
     says err "error: more than 1000 turns"
 }
 
+messages_about_functions_that_make_images_say_where() {
+    printf '#version 3.7;\nsphere { 0, 1 pigment { image_pattern { function 9000, 9000 { pigment { granite } } } } }\n' > large.pov
+    expect 1 "$povc" --check --limit seconds=.1 large.pov
+    says err "error: reading takes longer than 0.1 seconds"
+    expect 1 "$povc" --check --limit images=647999999 large.pov
+    says err "error: this image takes 648000000 bytes, of 647999999 that images may still take"
+    says err "large.pov:2:"
+}
+
 # F6 of the review: no ceiling on memory for input.
 messages_f6_name_the_file_that_is_too_large() {
     small_scene
