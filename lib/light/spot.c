@@ -39,7 +39,7 @@ SIMD_CLONES static bool find_cosines(const vec_lanes *restrict dir, pov_vec3 axi
         const double x = dir->x[i], y = dir->y[i], z = dir->z[i], square = x * x + y * y + z * z, length = sqrt(square);
 
         out[i] = -(x / length * axis.x + y / length * axis.y + z / length * axis.z);
-        whole &= (square >= 1e-239) & (square <= 1e239) ? -1 : 0;
+        whole &= ((square >= 1e-239) & (square <= 1e239)) ? -1 : 0;
     }
     return whole;
 }

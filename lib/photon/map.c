@@ -295,7 +295,7 @@ SIMD_CLONES static uint32_t try_photons(const photon_block *restrict b, pov_vec3
         const double near = 1.0 - (x * x + y * y + z * z) / square, above = x * normal.x + y * normal.y + z * normal.z;
         const double alike = normal.x * (double)b->normal[0][i] + normal.y * (double)b->normal[1][i] + normal.z * (double)b->normal[2][i];
 
-        density[i] = (near > 0.0) & (fabs(alike) > least_alike) & (fabs(above) < height) ? most * near * near * (by.base + by.slope * near) : 0.0;
+        density[i] = ((near > 0.0) & (fabs(alike) > least_alike) & (fabs(above) < height)) ? most * near * near * (by.base + by.slope * near) : 0.0;
     }
     for (int i = 0; i < PHOTON_LANES; i++)
         held |= (uint32_t)(density[i] != 0.0) << i;
@@ -346,8 +346,8 @@ SIMD_CLONES static uint32_t count_photons(const photon_block *restrict b, pov_ve
         const double kz = s.across[2].z + u * s.across[0].z + v * s.across[1].z;
         const double area = fabs(nx * kx + ny * ky + nz * kz) * by * by;
 
-        density[i] = (depth > 0.0) & (u >= x0) & (u < x1) & (v >= y0) & (v < y1) & (fabs(alike) > least_alike) &
-                     (above * above < highest * wide) ? area * per_area : 0.0;
+        density[i] = ((depth > 0.0) & (u >= x0) & (u < x1) & (v >= y0) & (v < y1) & (fabs(alike) > least_alike) &
+                      (above * above < highest * wide)) ? area * per_area : 0.0;
     }
     for (int i = 0; i < PHOTON_LANES; i++)
         held |= (uint32_t)(density[i] != 0.0) << i;
@@ -407,7 +407,7 @@ SIMD_CLONES static uint32_t pass_photons(const photon_block *restrict b, const p
         const double near = 1.0 - (u * u + v * v + w * w) / square;
 
         where[i] = at;
-        density[i] = (near > 0.0) & (at >= 0.0) & (at <= length) ? three_by_pi / square * near * near * (by.base + by.slope * near) : 0.0;
+        density[i] = ((near > 0.0) & (at >= 0.0) & (at <= length)) ? three_by_pi / square * near * near * (by.base + by.slope * near) : 0.0;
     }
     for (int i = 0; i < PHOTON_LANES; i++)
         held |= (uint32_t)(density[i] != 0.0) << i;
@@ -439,7 +439,7 @@ SIMD_CLONES static uint32_t pass_counted(const photon_block *restrict b, const p
         const double counted = inside ? area : 0.0;
 
         where[i] = at;
-        density[i] = (at >= 0.0) & (at <= length) ? (own < cell.spacing + cell.slope * at ? counted : disc) : 0.0;
+        density[i] = ((at >= 0.0) & (at <= length)) ? (own < cell.spacing + cell.slope * at ? counted : disc) : 0.0;
     }
     for (int i = 0; i < PHOTON_LANES; i++)
         held |= (uint32_t)(density[i] != 0.0) << i;

@@ -11,14 +11,15 @@
 #include "model/colour.h"
 #include "photon/view.h"
 
+static const uint32_t photon_free = UINT32_MAX;
+
 typedef struct photon {
     pov_vec3 at;
     colour flux;
     float dir[3];                /* it flew in this direction, unit */
     float normal[3];             /* of the surface, towards where it came from */
-    uint32_t within;             /* the solid that it met from within, and lights alone; or PHOTON_FREE */
+    uint32_t within;             /* the solid that it met from within, and lights alone; or photon_free */
 } photon;
-enum { PHOTON_FREE = UINT32_MAX };
 
 /* With u = (d/r)^2: Silverman's (1 - u)^2, which blurs what curves; and (1 - u)^2 (20/3 (1 - u) - 4), whose second moment is
  * zero: it is below zero from u = 0.4 on, and blurs no light but what differs from a polynomial of the third degree. See

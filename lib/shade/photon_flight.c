@@ -28,7 +28,7 @@ static uint32_t held_by(const flight *f, const surface *s)
     const shading *scene = f->tracer->context.scene;
     const bool within = !s->at->outside && plan_is_solid(model_leaf(scene->model, s->at->object));
 
-    return within ? shading_solid(scene, s->at->object) : PHOTON_FREE;
+    return within ? shading_solid(scene, s->at->object) : photon_free;
 }
 
 static void deposit(flight *f, const surface *s, pov_vec3 normal)
@@ -51,7 +51,7 @@ static void leave_at(flight *f, const path *p, const media_set *set, const media
     const float by = (float)(part * emission_factor(light_of(f), p->travelled + at));
     const colour left = media_transmittance(f->tracer->context.scene->model, set, &before);
     const photon one = { pov_add(on->from, pov_scale(on->dir, at)), colour_scale(colour_mul(p->factor.by, left), by),
-                         { (float)on->dir.x, (float)on->dir.y, (float)on->dir.z }, { 0.0f, 0.0f, 0.0f }, PHOTON_FREE };
+                         { (float)on->dir.x, (float)on->dir.y, (float)on->dir.z }, { 0.0f, 0.0f, 0.0f }, photon_free };
 
     if (!colour_is_black(one.flux) && !VEC_PUSH(f->scene->env, &f->out->of[PHOTON_IN], one))
         f->tracer->context.failed = true;

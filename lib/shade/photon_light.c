@@ -1,6 +1,6 @@
 #include "shade/photon_light.h"
 
-static bool lights(const photon *p, uint32_t solid) { return p->within == PHOTON_FREE || p->within == solid; }
+static bool lights(const photon *p, uint32_t solid) { return p->within == photon_free || p->within == solid; }
 
 /* The photons that light a surface: where the camera sees it straight, those of a cell of the pixel. */
 static void find(const photon_map *map, const photon_view *view, const surfaces *on, uint32_t i, photon_visit *visit, void *user)

@@ -56,7 +56,7 @@ SIMD_CLONES static void find_kernels(const reuse *r, weights *w)
         w->y[i] = y;
         w->z[i] = z;
         w->facing[i] = facing;
-        w->kernel[i] = (along > 0.0) & (face > 0.0) & (facing > 0.0) ? kernel : 0.0;
+        w->kernel[i] = ((along > 0.0) & (face > 0.0) & (facing > 0.0)) ? kernel : 0.0;
     }
 }
 
@@ -71,7 +71,7 @@ SIMD_CLONES static void find_sky_kernels(const reuse *r, weights *w)
         w->y[i] = w->at.y;
         w->z[i] = w->at.z;
         w->facing[i] = 1.0;
-        w->kernel[i] = (along > 0.0) & (face > 0.0) ? along * inverse_pi : 0.0;
+        w->kernel[i] = ((along > 0.0) & (face > 0.0)) ? along * inverse_pi : 0.0;
     }
 }
 
@@ -95,7 +95,7 @@ SIMD_CLONES static void add_lamp(const reuse *r, const double *lamp, const pov_b
         cut(box->lo.y - r->start.y[i], box->hi.y - r->start.y[i], w->y[i], &enters, &leaves, &across);
         cut(box->lo.z - r->start.z[i], box->hi.z - r->start.z[i], w->z[i], &enters, &leaves, &across);
         by = 0.5 * lamp[i] * enters * enters * w->facing[i] / across;
-        w->density[i] += (enters <= leaves) & (w->kernel[i] > 0.0) & (by <= 1e300) ? by : 0.0;
+        w->density[i] += ((enters <= leaves) & (w->kernel[i] > 0.0) & (by <= 1e300)) ? by : 0.0;
     }
 }
 

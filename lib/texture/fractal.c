@@ -75,7 +75,7 @@ static inline bool has_escaped(complex_number z) { return square_of(z) > 4.0; }
 /* Of a magnet: it has escaped, or comes to rest at 1. */
 static inline bool is_fixed(complex_number z)
 {
-    return (square_of(z) > 1e4) | (square_of(complex_of(z.re - 1.0, z.im)) < 1e-4);
+    return (int)(square_of(z) > 1e4) | (int)(square_of(complex_of(z.re - 1.0, z.im)) < 1e-4);
 }
 
 /* ---- the value ---- */

@@ -114,7 +114,7 @@ SIMD_CLONES static bool is_near(const vec_lanes *restrict at, double scale, uint
     int64_t near = -1;
 
     for (uint32_t i = 0; i < n; i++)
-        near &= (fabs(at->x[i]) < most) & (fabs(at->y[i]) < most) & (fabs(at->z[i]) < most) ? -1 : 0;
+        near &= ((fabs(at->x[i]) < most) & (fabs(at->y[i]) < most) & (fabs(at->z[i]) < most)) ? -1 : 0;
     return near != 0;
 }
 

@@ -126,7 +126,7 @@ SIMD_CLONES static bool find_lengths(uint32_t n, const vec_lanes *restrict v, do
     for (uint32_t i = 0; i < n; i++) {
         const double square = v->x[i] * v->x[i] + v->y[i] * v->y[i] + v->z[i] * v->z[i];
 
-        plain &= (square >= 1e-239) & (square <= 1e239) ? -1 : 0;
+        plain &= ((square >= 1e-239) & (square <= 1e239)) ? -1 : 0;
         length[i] = sqrt(square);
     }
     return plain != 0;

@@ -86,7 +86,7 @@ static inline void put_end(end_lanes *out, uint32_t i, const crossed *end, int c
 
     const int lost = is_lost(distance.hi, end->o);
 
-    out->t[i] = certain & (int)(fabs(sum.lo) < HUGE_VAL) & !lost ? sum.hi * power : NAN;
+    out->t[i] = (certain & (int)(fabs(sum.lo) < HUGE_VAL) & !lost) ? sum.hi * power : NAN;
     out->t_lo[i] = sum.lo * power;
     out->feature[i] = end->feature;
 }

@@ -40,7 +40,7 @@ uint32_t built_material(pov_builder *b, const char *text)
 
 pov_scene *built_load(const pov_builder *b)
 {
-    pov_error err = { POV_OK };
+    pov_error err = { 0 };
     pov_scene *scene = NULL;
 
     if (pov_scene_load_builder(&scene, b, NULL, &err) < 0)
