@@ -4,8 +4,7 @@
 
 #include "base/simd.h"
 #include "light/grid.h"
-
-#include <povtrace/shape_fast.h>
+#include "query/query.h"
 
 /* The solid, a little smaller, from the point: along the direction to the place u, v of the light's plane, lo <= t (rate . (1, u, v)) <= hi,
  * and constant + 2 t (along . (1, u, v)) + t^2 (square . (1, u, v, u u, v v, u v)) <= 0. */
