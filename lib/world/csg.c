@@ -266,6 +266,17 @@ static bool bounds(const void *self, pov_box *out)
     return t->shows_boxed;
 }
 
+static bool pack(void *block, const pov_frame *frame, const void *const *selves, uint32_t n)
+{
+    csg_block *b = block;
+
+    (void)frame;
+    b->count = n;
+    for (uint32_t i = 0; i < n; i++)
+        b->tree[i] = ((const csg_root *)selves[i])->tree;
+    return true;
+}
+
 const shape_class csg_class = {
     .flags = POV_SHAPE_SOLID,
     .keyword = "csg",
@@ -274,7 +285,7 @@ const shape_class csg_class = {
     .intersect = csg_intersect,
     .inside = csg_inside,
     .block_size = sizeof(csg_block),
-    .block_pack = csg_pack,
+    .block_pack = pack,
     .block_filter = csg_filter,
     .intersect_many = csg_intersect_many,
     .cross_many = csg_cross_many,

@@ -194,7 +194,6 @@ bool csg_inside(const void *self, pov_vec3 point, pov_vec3 point_lo);
 /* Several rays of trees that have chords and stand in a block. Of a definite hit a candidate's note says which crossing it is:
  * csg_cross_many() asks for that alone. */
 typedef struct csg_block { const csg_tree *tree[POV_BLOCK_MAX]; uint32_t count; } csg_block;
-bool csg_pack(void *block, const pov_frame *frame, const void *const *selves, uint32_t n);
 uint32_t csg_filter(const void *block, const uint32_t *owners, const pov_rays *rays, uint64_t lanes, pov_candidate *out);
 void csg_cross_many(const void *const *selves, const pov_ray *const *rays, pov_hits *const *hits, uint32_t n);
 /* The value of a node from those of its children. */

@@ -589,14 +589,3 @@ uint32_t csg_filter(const void *block, const uint32_t *owners, const pov_rays *r
     }
     return n;
 }
-
-bool csg_pack(void *block, const pov_frame *frame, const void *const *selves, uint32_t n)
-{
-    csg_block *b = block;
-
-    (void)frame;
-    b->count = n;
-    for (uint32_t i = 0; i < n; i++)
-        b->tree[i] = ((const csg_root *)selves[i])->tree;
-    return true;
-}
