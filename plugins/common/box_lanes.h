@@ -21,6 +21,17 @@ typedef struct end_lanes { common_lane t, t_lo, feature; } end_lanes;
 /* A plane, and the ray's components along its axis; t as that of slabs. */
 typedef struct crossed { double t, plane, plane_lo, o, o_lo, d, d_lo, feature; } crossed;
 
+/* A ray whose direction is scaled so that the quotients of distances stay within range. */
+typedef struct scaled_ray { pov_ray ray; double power; pov_vec3 d, d_lo; } scaled_ray;
+
+static inline scaled_ray get_scaled(const box_lanes *l, uint32_t i)
+{
+    const pov_ray ray = common_get_ray(&l->rays, i);
+    const double power = pov_inverse_power(pov_largest(ray.dir));
+
+    return (scaled_ray){ ray, power, pov_scale(ray.dir, power), pov_scale(ray.dir_lo, power) };
+}
+
 static inline crossed choose(int first, crossed a, crossed b)
 {
     crossed c;
@@ -98,16 +109,14 @@ COMMON_CLONES static void find_ends(const box_lanes *restrict l, end_lanes *rest
     uint32_t i;
 
     for (i = 0; i < COMMON_LANES; i++) {
-        const pov_ray ray = common_get_ray(&l->rays, i);
-        const double power = pov_inverse_power(pov_largest(ray.dir));
-        const pov_vec3 d = pov_scale(ray.dir, power), d_lo = pov_scale(ray.dir_lo, power);
+        const scaled_ray r = get_scaled(l, i);
         crossed x, y, z, xy, end;
         double far_x, far_y, far_z, far_xy, far;
         int certain;
 
-        cross_axis(l, i, 0, ray.org.x, ray.org_lo.x, d.x, d_lo.x, &x, &far_x);
-        cross_axis(l, i, 1, ray.org.y, ray.org_lo.y, d.y, d_lo.y, &y, &far_y);
-        cross_axis(l, i, 2, ray.org.z, ray.org_lo.z, d.z, d_lo.z, &z, &far_z);
+        cross_axis(l, i, 0, r.ray.org.x, r.ray.org_lo.x, r.d.x, r.d_lo.x, &x, &far_x);
+        cross_axis(l, i, 1, r.ray.org.y, r.ray.org_lo.y, r.d.y, r.d_lo.y, &y, &far_y);
+        cross_axis(l, i, 2, r.ray.org.z, r.ray.org_lo.z, r.d.z, r.d_lo.z, &z, &far_z);
         xy = choose(y.t > x.t, y, x);
         far_xy = common_lesser(far_y, far_x);
         end = choose(z.t > xy.t, z, xy);
@@ -115,7 +124,7 @@ COMMON_CLONES static void find_ends(const box_lanes *restrict l, end_lanes *rest
         certain = is_disjoint(y.t, x.t) & is_disjoint(z.t, xy.t) & is_disjoint(far_y, far_x)
             & is_disjoint(far_z, far_xy) &
                   ((int)(l->sign[i] < 0.0) | (is_disjoint(end.t, far) & (int)(end.t < far)));
-        put_end(out, i, &end, certain, power);
+        put_end(out, i, &end, certain, r.power);
     }
 }
 
@@ -125,15 +134,13 @@ COMMON_CLONES static void find_entries(const box_lanes *restrict l, end_lanes *r
     uint32_t i;
 
     for (i = 0; i < COMMON_LANES; i++) {
-        const pov_ray ray = common_get_ray(&l->rays, i);
-        const double power = pov_inverse_power(pov_largest(ray.dir));
-        const pov_vec3 d = pov_scale(ray.dir, power), d_lo = pov_scale(ray.dir_lo, power);
-        const crossed x = enter_axis(l, i, 0, ray.org.x, ray.org_lo.x, d.x, d_lo.x);
-        const crossed y = enter_axis(l, i, 1, ray.org.y, ray.org_lo.y, d.y, d_lo.y);
-        const crossed z = enter_axis(l, i, 2, ray.org.z, ray.org_lo.z, d.z, d_lo.z);
+        const scaled_ray r = get_scaled(l, i);
+        const crossed x = enter_axis(l, i, 0, r.ray.org.x, r.ray.org_lo.x, r.d.x, r.d_lo.x);
+        const crossed y = enter_axis(l, i, 1, r.ray.org.y, r.ray.org_lo.y, r.d.y, r.d_lo.y);
+        const crossed z = enter_axis(l, i, 2, r.ray.org.z, r.ray.org_lo.z, r.d.z, r.d_lo.z);
         const crossed xy = choose(y.t > x.t, y, x), end = choose(z.t > xy.t, z, xy);
 
-        put_end(out, i, &end, is_disjoint(y.t, x.t) & is_disjoint(z.t, xy.t), power);
+        put_end(out, i, &end, is_disjoint(y.t, x.t) & is_disjoint(z.t, xy.t), r.power);
     }
 }
 
