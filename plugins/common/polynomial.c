@@ -558,7 +558,7 @@ static void begin(search *s, const common_polynomial *p, const common_ray *k, co
     s->hits = hits;
 }
 
-void common_polynomial_intersect(const void *self, const pov_ray *ray, pov_hits *hits)
+void common_polynomial_intersect_alone(const void *self, const pov_ray *ray, pov_hits *hits)
 {
     static const pov_vec3 zero = { 0.0, 0.0, 0.0 };
     const common_polynomial *p = self;
@@ -569,6 +569,18 @@ void common_polynomial_intersect(const void *self, const pov_ray *ray, pov_hits 
     begin(&s, p, &k, ray, hits);
     if (hits->always_exact || (p->bounded ? search_box(&s) : search_all(&s)) == OPEN)
         escalate(&s, ray, count);
+}
+
+/* What is searched ahead goes by lanes even alone: lanes decide about a few rays that single ones leave to the search about the middle,
+ * whose last bits are other ones. */
+void common_polynomial_intersect(const void *self, const pov_ray *ray, pov_hits *hits)
+{
+    const common_polynomial *p = self;
+
+    if (p->bounded || hits->want == POV_WANT_ALL)
+        common_polynomial_intersect_alone(self, ray, hits);
+    else
+        common_polynomial_intersect_many(&self, &ray, &hits, 1);
 }
 
 void common_polynomial_intersect_between(const void *self, const pov_ray *ray, pov_hits *hits)

@@ -295,7 +295,7 @@ static void find_good(const asked *k, const common_rays *l, const stretches *s, 
 /* What is not decided here. */
 static void intersect_one(const asked *k, uint32_t i)
 {
-    (k->in == BETWEEN ? common_polynomial_intersect_between : common_polynomial_intersect)(k->p, k->rays[i], k->hits[i]);
+    (k->in == BETWEEN ? common_polynomial_intersect_between : common_polynomial_intersect_alone)(k->p, k->rays[i], k->hits[i]);
 }
 
 /* Is there nothing beyond the stretch, or nothing that counts? */
@@ -352,9 +352,10 @@ static uint32_t count_alike(const void *const *selves, uint32_t n)
 
 static void intersect_asked(const asked *k)
 {
+    const uint32_t least = k->in == AHEAD ? 1 : LEAST;
     const int order = k->p->order;
 
-    if (k->n >= LEAST && (k->leaves ? order == 4 : order == 3 || order == 4))
+    if (k->n >= least && (k->leaves ? order == 4 : order == 3 || order == 4))
         intersect_some(k);
     else
         for (uint32_t i = 0; i < k->n; i++)
