@@ -558,7 +558,7 @@ static void begin(search *s, const common_polynomial *p, const common_ray *k, co
     s->hits = hits;
 }
 
-void common_polynomial_intersect_alone(const void *self, const pov_ray *ray, pov_hits *hits)
+void common_polynomial_intersect_single(const void *self, const pov_ray *ray, pov_hits *hits)
 {
     static const pov_vec3 zero = { 0.0, 0.0, 0.0 };
     const common_polynomial *p = self;
@@ -578,7 +578,7 @@ void common_polynomial_intersect(const void *self, const pov_ray *ray, pov_hits 
     const common_polynomial *p = self;
 
     if (p->bounded || hits->want == POV_WANT_ALL)
-        common_polynomial_intersect_alone(self, ray, hits);
+        common_polynomial_intersect_single(self, ray, hits);
     else
         common_polynomial_intersect_many(&self, &ray, &hits, 1);
 }

@@ -123,7 +123,7 @@ static inline bool common_polynomial_report(const common_ray *k, pov_two at, uin
 bool common_polynomial_bounds(const void *self, pov_box *out);
 void common_polynomial_intersect(const void *self, const pov_ray *ray, pov_hits *hits);
 /* Without lanes. */
-void common_polynomial_intersect_alone(const void *self, const pov_ray *ray, pov_hits *hits);
+void common_polynomial_intersect_single(const void *self, const pov_ray *ray, pov_hits *hits);
 void common_polynomial_intersect_between(const void *self, const pov_ray *ray, pov_hits *hits);
 void common_polynomial_normal(const void *self, const pov_ray *ray, const pov_crossing *at, pov_vec3 *out);
 void common_polynomial_intersect_between_many(const void *const *selves, const pov_ray *const *rays, pov_hits *const *hits, uint32_t n);

@@ -295,7 +295,7 @@ static void find_good(const asked *k, const common_rays *l, const stretches *s, 
 /* What is not decided here. */
 static void intersect_one(const asked *k, uint32_t i)
 {
-    (k->in == BETWEEN ? common_polynomial_intersect_between : common_polynomial_intersect_alone)(k->p, k->rays[i], k->hits[i]);
+    (k->in == BETWEEN ? common_polynomial_intersect_between : common_polynomial_intersect_single)(k->p, k->rays[i], k->hits[i]);
 }
 
 /* Is there nothing beyond the stretch, or nothing that counts? */
