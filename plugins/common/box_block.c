@@ -82,11 +82,11 @@ COMMON_INLINE void test(const planes *p, const line *l, uint32_t i, common_chord
 {
     const span x = clip_axis(&l->x, p->lower[0], p->upper[0]), y = clip_axis(&l->y, p->lower[1], p->upper[1]);
     const span s = common(common(x, y), clip_axis(&l->z, p->lower[2], p->upper[2]));
-    const int enters = (int)(s.near > 0.0f) & (int)(s.last < s.first);
+    const int enters = (int)(s.near > 0.0f) & (int)(s.last < s.first), stays = (int)(s.last < 0.0f) & (int)(s.first > l->smax);
 
     out->lo[i] = s.near;
     out->hi[i] = s.last;
-    say->maybe.lane[i] = -(common_float_greater(s.near, 0.0f) <= common_float_lesser(s.far, l->smax));
+    say->maybe.lane[i] = -((common_float_greater(s.near, 0.0f) <= common_float_lesser(s.far, l->smax)) & !stays);
     say->definite.lane[i] = -(enters & (int)(s.last < l->sure));
     say->definite_pair.lane[i] = -(enters & (int)(s.far < l->sure));
 }

@@ -83,7 +83,7 @@ COMMON_INLINE int may_touch(const lane_sphere *b, const line *l, const nearest *
 }
 
 /* Bounds along the ray on the chord of its line in a sphere, if there is one: on the entry, or on the exit if it starts
- * inside. */
+ * inside. Rays within a sphere that they do not leave, as below a sky, cross nothing. */
 COMMON_INLINE void bound_chord(float radius, float blur, float smax, float middle, float ww, uint32_t i,
                                common_chords *restrict out, common_conditions *restrict say)
 {
@@ -98,7 +98,7 @@ COMMON_INLINE void bound_chord(float radius, float blur, float smax, float middl
 
     out->lo[i] = lo;
     out->hi[i] = hi;
-    say->maybe.lane[i] = -((in <= smax) & (out_to >= 0.0f));
+    say->maybe.lane[i] = -((lo <= smax) & (out_to >= 0.0f));
     say->definite.lane[i] = -(known & (lo > 0.0f) & (hi < sure));
     say->definite_pair.lane[i] = -(known & (in > 0.0f) & (out_to < sure));
 }
