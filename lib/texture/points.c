@@ -47,12 +47,6 @@ SIMD_CLONES SIMD_NOINLINE static void map_some(const inverse_map *restrict map, 
     } while (++first < end);
 }
 
-void texture_points_map(const inverse_map *map, uint32_t first, uint32_t end, texture_points *io)
-{
-    if (map)
-        map_some(map, first, end, &io->at, &io->at_lo);
-}
-
 /* Does each coordinate come of one alone, as where nothing is turned but by right angles? Then the other products are zeros,
  * and the sums without them the same. */
 static bool is_straight(const linear_map *l, int from[3])
@@ -78,6 +72,20 @@ SIMD_CLONES SIMD_NOINLINE static void scale_axis(pov_two by, pov_two move, const
     do
         out[i] = pov_two_add(pov_two_mul(by, pov_two_of(at[i], at_lo[i])), move).hi;
     while (++i < n);
+}
+
+/* The same, with the rest. */
+SIMD_CLONES SIMD_NOINLINE static void scale_axis_exactly(pov_two by, pov_two move, const double *restrict at, const double *restrict at_lo, uint32_t n,
+                                                         double *restrict out, double *restrict out_lo)
+{
+    uint32_t i = 0;
+
+    do {
+        const pov_two p = pov_two_add(pov_two_mul(by, pov_two_of(at[i], at_lo[i])), move);
+
+        out[i] = p.hi + 0.0;
+        out_lo[i] = p.lo;
+    } while (++i < n);
 }
 
 /* The same where nothing is moved. What would be added is 0, which makes of -0 a 0. */
@@ -106,6 +114,34 @@ static void scale_points(const inverse_map *map, const int from[3], const vec_la
         else
             scale_axis(by, move, axis_of(at, k), axis_of(at_lo, k), n, to[i]);
     }
+}
+
+static void scale_some(const inverse_map *map, const int from[3], uint32_t first, uint32_t n, vec_lanes *at, vec_lanes *at_lo)
+{
+    double *const to[3] = { at->x, at->y, at->z }, *const to_lo[3] = { at_lo->x, at_lo->y, at_lo->z };
+    vec_lanes was, was_lo;
+    double *const was_at[3] = { was.x, was.y, was.z }, *const was_lo_at[3] = { was_lo.x, was_lo.y, was_lo.z };
+
+    for (int i = 0; i < 3; i++) {
+        memcpy(was_at[i] + first, to[i] + first, n * sizeof(double));
+        memcpy(was_lo_at[i] + first, to_lo[i] + first, n * sizeof(double));
+    }
+    for (int i = 0; i < 3; i++) {
+        const int k = from[i];
+        const pov_two by = pov_two_of(map->linear->m[i][k], map->linear->m_lo[i][k]), move = pov_two_of(map->move[i], map->move_lo[i]);
+
+        scale_axis_exactly(by, move, was_at[k] + first, was_lo_at[k] + first, n, to[i] + first, to_lo[i] + first);
+    }
+}
+
+void texture_points_map(const inverse_map *map, uint32_t first, uint32_t end, texture_points *io)
+{
+    int from[3];
+
+    if (map && is_straight(map->linear, from))
+        scale_some(map, from, first, end - first, &io->at, &io->at_lo);
+    else if (map)
+        map_some(map, first, end, &io->at, &io->at_lo);
 }
 
 /* The points in the pattern's own space, rounded once. There is at least one: with a loop that tests first, compilers
