@@ -40,7 +40,7 @@ BODIES = {
     "deep-texture": b"sphere { 0, 1 " + b"texture { " * 10000 + b"} " * 10000 + b"}",
 }
 WHOLE = {
-    "empty": b"", "blank": b" \n\t\n", "only-comment": b"// nothing\n", "braces": b"{" * 10000, "close-braces": b"}" * 10000,
+    "braces": b"{" * 10000, "close-braces": b"}" * 10000,
     "angles": b"<" * 10000, "binary": bytes(random.Random(1).randrange(256) for _ in range(5000)),
     "elf": open(sys.executable, "rb").read(4096), "utf16": "sphere { 0, 1 }".encode("utf-16"),
     "utf16be": b"\xfe\xff" + "sphere { 0, 1 }".encode("utf-16-be"), "open-comments": b"/*" * 10000, "hashes": b"#" * 10000,
