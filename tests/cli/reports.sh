@@ -30,6 +30,22 @@ reports_of_counts_do_not_depend_on_threads() {
     same one three
 }
 
+# Light that stays within a room and below a sky need not ask them.
+reports_of_rays_that_stay_within_count_no_test() {
+    cat > within.pov <<'END'
+camera { location <0, 3, -4> look_at <0, -1, 0> angle 40 }
+light_source { <-5, 8, -9> rgb 1 }
+sphere { 0, 1000 hollow pigment { rgb 1 } }
+box { -900, 900 hollow pigment { rgb 1 } }
+sphere { <.4, -.5, .2>, .3 pigment { rgb 1 } }
+plane { y, -1 pigment { rgb 1 } }
+END
+    expect 0 "$povc" within.pov 40 30 out.png -t 1 --stats
+    says out "rays_shadow: 1200 rays"
+    says out "box_tested: 0 intersections"
+    awk '/^sphere_tested:/ { exit !($2 < 100) }' out || fail "light asks the sky"
+}
+
 # Planes and endless quadrics that are finite together have a box; those that are not have none.
 reports_count_what_is_infinite() {
     cat > finite.pov <<'END'
