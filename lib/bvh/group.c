@@ -42,6 +42,19 @@ static uint64_t derive_all(bvh_traversal *t, double end)
     return odd;
 }
 
+/* The lanes of n rays are there; what begins with them. Returns odd lanes. */
+static uint64_t set_out(bvh_traversal *t, const pov_ray *const *rays, uint32_t n, double limit, double end)
+{
+    for (uint32_t i = 0; i < width(n); i++)
+        t->limit[i] = limit;
+    t->rays = t->soa.rays = rays;
+    t->in = NULL;
+    t->lowered = 0;
+    t->count = n;
+    t->lanes = all_of(n);
+    return derive_all(t, end);
+}
+
 uint64_t bvh_take(bvh_traversal *t, const pov_ray *taken[BVH_LANES], uint8_t of[BVH_LANES], const pov_ray *const *rays,
                   uint64_t which, double limit, double end)
 {
@@ -63,14 +76,7 @@ uint64_t bvh_take(bvh_traversal *t, const pov_ray *taken[BVH_LANES], uint8_t of[
         taken[i] = taken[n - 1];
     for (i = 0; i < width(n); i += 4)
         ray_soa_put_four(&t->soa, i, taken + i);
-    for (i = 0; i < width(n); i++)
-        t->limit[i] = limit;
-    t->rays = t->soa.rays = taken;
-    t->in = NULL;
-    t->lowered = 0;
-    t->count = n;
-    t->lanes = all_of(n);
-    return derive_all(t, end);
+    return set_out(t, taken, n, limit, end);
 }
 
 /* Lanes past the end hold the last ray again. */
@@ -95,14 +101,7 @@ uint64_t bvh_take_lanes(bvh_traversal *t, const bvh_ray_lanes *rays, uint32_t n,
     put_vectors(t->soa.dir, rays->dir, n);
     for (uint32_t i = 0; i < width(n); i++)
         t->soa.excluded[i] = rays->excluded[i < n ? i : n - 1];
-    for (uint32_t i = 0; i < width(n); i++)
-        t->limit[i] = limit;
-    t->rays = t->soa.rays = NULL;
-    t->in = NULL;
-    t->lowered = 0;
-    t->count = n;
-    t->lanes = all_of(n);
-    return derive_all(t, end);
+    return set_out(t, NULL, n, limit, end);
 }
 
 /* ---- groups ---- */
