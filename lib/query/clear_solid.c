@@ -27,33 +27,71 @@ static inline const shape_group *group_of(const world *w, uint32_t which)
     return &w->groups[w->objects_info[which].group];
 }
 
-/* Intersect those of `left` whose origin surface is of the same class as the first one's; returns the others. */
-static uint64_t ask_class(const world *w, query_context *k, const pov_ray *const *rays, uint64_t left, exit_hits *e)
+static void begin_exit(query_context *k, uint32_t i, uint32_t owner, double tmax, hit *out, exit_hits *e)
 {
-    const shape_group *first = group_of(w, rays[first_of64(left)]->origin_surface);
-    uint64_t others = 0;
+    hits_begin(&e->hits[i], &k->hit_buffers[i], tmax, POV_WANT_NEAREST, &out[i].crossing);
+    e->hits[i].owner = owner;
+}
+
+/* Intersect rays that all start on surfaces of one class. */
+static void ask_class(const world *w, query_context *k, const pov_ray *const *rays, uint64_t lanes, double tmax, hit *out, exit_hits *e)
+{
+    const shape_group *g = group_of(w, rays[first_of64(lanes)]->origin_surface);
     xform_batch instanced;
     pairs some;
 
     some.count = instanced.count = 0;
-    for (; left; left &= left - 1) {
-        const uint32_t i = first_of64(left), which = rays[i]->origin_surface;
+    for (; lanes; lanes &= lanes - 1) {
+        const uint32_t i = first_of64(lanes), which = rays[i]->origin_surface;
         const pov_ray *ray = rays[i];
-        shape_ref ref;
+        const shape_ref ref = world_shape(w, which);
 
-        if (group_of(w, which)->shape != first->shape) {
-            others |= bit_of(i);
-            continue;
-        }
-        ref = world_shape(w, which);
-        e->hits[i].owner = which;
+        begin_exit(k, i, which, tmax, out, e);
         if (ref.xform)
             ray = own_ray(k, &instanced, ref.xform, ray, i, which);
         pairs_put(&some, ref.instance, ray, &e->hits[i]);
     }
     xform_batch_apply(&instanced);
-    pairs_ask(k, first->shape, first->class_number, &some, false);
-    return others;
+    pairs_ask(k, g->shape, g->class_number, &some, false);
+}
+
+/* The same where the class finds exits without hits. Returns the rays that it leaves open. */
+static uint64_t cross_class(const world *w, query_context *k, const pov_ray *const *rays, uint64_t lanes, hit *out, exit_hits *e)
+{
+    const shape_group *g = group_of(w, rays[first_of64(lanes)]->origin_surface);
+    sure_pairs some;
+    uint64_t rest, open;
+
+    if (!g->shape->cross_sure || w->always_exact)
+        return lanes;
+    open = some.count = 0;
+    for (rest = lanes; rest; rest &= rest - 1) {
+        const uint32_t i = first_of64(rest), which = rays[i]->origin_surface;
+        const shape_ref ref = world_shape(w, which);
+
+        if (ref.xform)
+            open |= bit_of(i);
+        else
+            sure_pairs_put(&some, w, ref.instance, which, rays[i], i, &out[i]);
+    }
+    if (some.count > 0)
+        open |= sure_pairs_cross(&some, w, k, g->shape, g->class_number);
+    e->sure |= lanes & ~open;
+    return open;
+}
+
+/* Those of `left` whose origin surface is of the same class as the first one's. */
+static uint64_t of_first_class(const world *w, const pov_ray *const *rays, uint64_t left)
+{
+    const shape_class *first = group_of(w, rays[first_of64(left)]->origin_surface)->shape;
+    uint64_t same = 0;
+
+    for (; left; left &= left - 1) {
+        const uint32_t i = first_of64(left);
+
+        same |= group_of(w, rays[i]->origin_surface)->shape == first ? bit_of(i) : 0;
+    }
+    return same;
 }
 
 /* Are both ends of a segment in an interval? Where it ends is off by less than the slack. */
@@ -78,14 +116,35 @@ static inline bool is_isolated(const world_isolation *a, const pov_ray *ray, dou
            is_in(ray->org.z, dir.z, b->lo.z, b->hi.z);
 }
 
-static void end_isolated(const world *w, query_context *k, const pov_ray *const *rays, hit *out, exit_hits *e)
+/* Does the ray end at its exit? */
+static inline bool ends_at_exit(const world *w, const pov_ray *ray, double tmax, const hit *out)
 {
-    uint64_t rest;
+    return out->crossing.t < tmax && is_isolated(&w->isolation, ray, out->crossing.t);
+}
 
-    for (rest = e->known; w->isolation.number && rest; rest &= rest - 1) {
+/* Rays that go on beyond need hits. */
+static void end_sure(const world *w, query_context *k, const pov_ray *const *rays, double tmax, hit *out, exit_hits *e)
+{
+    for (uint64_t rest = e->sure; rest; rest &= rest - 1) {
+        const uint32_t i = first_of64(rest);
+        const pov_crossing at = out[i].crossing;
+
+        if (w->isolation.number && ends_at_exit(w, rays[i], tmax, &out[i])) {
+            e->found |= bit_of(i);
+            continue;
+        }
+        begin_exit(k, i, at.owner, tmax, out, e);
+        pov_cross(&e->hits[i], at.t, at.t_lo, at.mark);
+    }
+    k->own.complete |= w->plan.lighting ? e->found & e->sure : 0;
+}
+
+static void end_asked(const world *w, query_context *k, const pov_ray *const *rays, double tmax, hit *out, exit_hits *e)
+{
+    for (uint64_t rest = e->known & ~e->sure; w->isolation.number && rest; rest &= rest - 1) {
         const uint32_t i = first_of64(rest);
 
-        if (e->hits[i].count == 0 || !is_isolated(&w->isolation, rays[i], out[i].crossing.t))
+        if (e->hits[i].count == 0 || !ends_at_exit(w, rays[i], tmax, &out[i]))
             continue;
         k->escalated += e->hits[i].escalated;
         out[i].object = rays[i]->origin_surface;
@@ -97,20 +156,23 @@ static void end_isolated(const world *w, query_context *k, const pov_ray *const 
 void clear_solid_exits(const world *w, query_context *k, const pov_ray *const *rays, uint32_t n, double tmax, hit *out,
                        exit_hits *e)
 {
-    uint64_t left;
-    uint32_t i;
+    uint64_t left = 0;
 
-    e->known = e->found = 0;
+    e->known = e->found = e->sure = 0;
     if (!w->plan.transmission || !clear_solid_any_enters(rays, n))
         return;
-    for (i = 0; i < n; i++)
-        if (enters(w, rays[i])) {
-            e->known |= bit_of(i);
-            hits_begin(&e->hits[i], &k->hit_buffers[i], tmax, POV_WANT_NEAREST, &out[i].crossing);
-        }
-    for (left = e->known; left;)
-        left = ask_class(w, k, rays, left, e);
-    end_isolated(w, k, rays, out, e);
+    for (uint32_t i = 0; i < n; i++)
+        left |= enters(w, rays[i]) ? bit_of(i) : 0;
+    e->known = left;
+    while (left) {
+        const uint64_t same = of_first_class(w, rays, left), open = cross_class(w, k, rays, same, out, e);
+
+        if (open)
+            ask_class(w, k, rays, open, tmax, out, e);
+        left &= ~same;
+    }
+    end_sure(w, k, rays, tmax, out, e);
+    end_asked(w, k, rays, tmax, out, e);
 }
 
 /* ---- light ---- */

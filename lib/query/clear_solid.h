@@ -6,8 +6,9 @@
 #include "query/context.h"
 
 /* Exit hits of rays that enter a closed solid, as bits and indices of the caller's rays. They are found for all rays
- * together before traversal, and bound the rays. `found`: rays that end there, because nothing else is near. */
-typedef struct exit_hits { uint64_t known, found; pov_hits hits[WORLD_MANY]; } exit_hits;
+ * together before traversal, and bound the rays. `found`: rays that end there, because nothing else is near; of the others the
+ * hits are there. sure: those whose points and normals are known where anything is lit. */
+typedef struct exit_hits { uint64_t known, found, sure; pov_hits hits[WORLD_MANY]; } exit_hits;
 void clear_solid_exits(const world *w, query_context *k, const pov_ray *const *rays, uint32_t n, double tmax, hit *out,
                        exit_hits *e);
 

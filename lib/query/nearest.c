@@ -198,69 +198,43 @@ static uint64_t take_class(packet *p, const shape_class *shape, uint64_t left, p
     return others;
 }
 
-/* Pairs of one class whose crossings are written to where they belong. */
-typedef struct sure_pairs {
-    uint32_t count;
-    const void *selves[WORLD_MANY];
-    const pov_ray *rays[WORLD_MANY];
-    pov_crossing *at[WORLD_MANY];
-    pov_contact *contacts[WORLD_MANY];
-    uint8_t lanes[WORLD_MANY];
-} sure_pairs;
-
 static inline bool is_sure(const leaf_batch *r, const shape_class *shape) { return r->shape == shape && !(r->flags & LEAF_INSTANCED); }
 
 /* Collect those of `left` of one class, whose objects are hit; returns the others. */
 static uint64_t take_sure(packet *p, const shape_class *shape, uint64_t left, sure_pairs *some)
 {
     uint64_t rest, others = 0;
-    uint32_t n = 0;
 
+    some->count = 0;
     for (rest = left; rest; rest &= rest - 1) {
         const uint32_t i = first_of64(rest);
         const deferred *d = &p->deferred[i];
         const leaf_batch *r = d->batch;
-        hit *out = &p->out[p->of[i]];
 
-        if (!is_sure(r, shape)) {
+        if (is_sure(r, shape))
+            sure_pairs_put(some, p->world, leaf_batch_instance(r, d->lane), r->object[d->lane], p->rays[i], i, &p->out[p->of[i]]);
+        else
             others |= bit_of(i);
-            continue;
-        }
-        out->object = out->crossing.owner = r->object[d->lane];
-        out->coincident = 0;
-        SIMD_PREFETCH(&p->world->objects_info[out->object]);
-        some->selves[n] = leaf_batch_instance(r, d->lane);
-        some->rays[n] = p->rays[i];
-        some->at[n] = &out->crossing;
-        some->contacts[n] = hit_contact(out);
-        some->lanes[n++] = (uint8_t)i;
     }
-    some->count = n;
     return others;
 }
 
 /* Cross the definite hits of lanes that asked nothing else, where their classes do so without hits. */
 static void resolve_sure(packet *p)
 {
-    const bool contacts = p->world->plan.lighting;
     uint64_t left = p->deferred_lanes & ~p->asked;
     sure_pairs some;
 
     while (left) {
         const leaf_batch *r = p->deferred[first_of64(left)].batch;
-        uint64_t others, open;
-        uint32_t asked;
+        uint64_t others;
 
         if (!r->shape->cross_sure || (r->flags & LEAF_INSTANCED)) {
             left &= left - 1;
             continue;
         }
         others = take_sure(p, r->shape, left, &some);
-        open = r->shape->cross_sure(some.selves, some.rays, some.at, contacts ? some.contacts : NULL, some.count);
-        p->crossed |= left & ~others;
-        for (asked = some.count; open; open &= open - 1, asked--)
-            p->crossed &= ~bit_of(some.lanes[first_of64(open)]);
-        query_context_count(p->context, r, asked, 0);
+        p->crossed |= left & ~others & ~sure_pairs_cross(&some, p->world, p->context, r->shape, leaf_batch_class(r));
         left = others;
     }
 }
@@ -351,8 +325,22 @@ SIMD_RARE static uint64_t leave_starts(packet *p, uint64_t found)
     return found;
 }
 
+/* Lanes that end at exits whose points and normals are known, as bits of the caller's. */
+static uint64_t at_exits(const packet *p, const exit_hits *e)
+{
+    uint64_t rest, out = 0;
+
+    for (rest = e->sure && p->world->plan.lighting ? p->asked : 0; rest; rest &= rest - 1) {
+        const uint32_t i = first_of64(rest);
+
+        if ((e->sure >> p->of[i] & 1) && !p->hits[i].tied && p->hits[i].count > 0 && p->hits[i].at->owner == p->rays[i]->origin_surface)
+            out |= bit_of(p->of[i]);
+    }
+    return out;
+}
+
 /* Rays with a hit, as bits of the caller's. */
-static uint64_t end_nearest(packet *p)
+static uint64_t end_nearest(packet *p, const exit_hits *e)
 {
     uint64_t found = 0, rest, escalated = 0;
     double least = HUGE_VAL;
@@ -363,7 +351,7 @@ static uint64_t end_nearest(packet *p)
         found |= bit_of(p->of[i]);
         least = p->deferred[i].lo < least ? p->deferred[i].lo : least;
     }
-    p->context->own.complete |= p->world->plan.lighting ? found : 0;
+    p->context->own.complete |= (p->world->plan.lighting ? found : 0) | at_exits(p, e);
     for (rest = p->asked; rest; rest &= rest - 1) {
         const uint32_t i = first_of64(rest);
         const pov_hits *hits = &p->hits[i];
@@ -405,7 +393,7 @@ uint64_t query_nearest(const world *w, query_context *k, const pov_ray *const *r
         p.out = out;
         begin_from_exit_hits(&p, &e);
         packet_nearest(&p, groups[i].traverse);
-        found |= end_nearest(&p);
+        found |= end_nearest(&p, &e);
     }
     return found;
 }

@@ -89,3 +89,15 @@ void pairs_ask(query_context *k, const shape_class *shape, uint32_t class_number
         escalated += some->hits[i]->escalated;
     query_context_count_class(k, class_number, some->count, escalated);
 }
+
+uint64_t sure_pairs_cross(sure_pairs *some, const world *w, query_context *k, const shape_class *shape, uint32_t class_number)
+{
+    uint64_t open = shape->cross_sure(some->selves, some->rays, some->at, w->plan.lighting ? some->contacts : NULL, some->count);
+    uint32_t crossed = some->count;
+    uint64_t out = 0;
+
+    for (; open; open &= open - 1, crossed--)
+        out |= bit_of(some->lanes[first_of64(open)]);
+    query_context_count_class(k, class_number, crossed, 0);
+    return out;
+}

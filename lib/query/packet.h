@@ -175,6 +175,34 @@ static inline void pairs_put(pairs *some, const void *self, const pov_ray *ray, 
 /* crossed: all of them are definite hits. */
 void pairs_ask(query_context *k, const shape_class *shape, uint32_t class_number, pairs *some, bool crossed);
 
+/* Pairs of one class whose crossings are written to where they belong. */
+typedef struct sure_pairs {
+    uint32_t count;
+    const void *selves[WORLD_MANY];
+    const pov_ray *rays[WORLD_MANY];
+    pov_crossing *at[WORLD_MANY];
+    pov_contact *contacts[WORLD_MANY];
+    uint8_t lanes[WORLD_MANY];
+} sure_pairs;
+
+/* One whose object is known to be hit. */
+static inline void sure_pairs_put(sure_pairs *some, const world *w, const void *self, uint32_t owner, const pov_ray *ray, uint32_t lane, hit *out)
+{
+    const uint32_t n = some->count++;
+
+    out->object = out->crossing.owner = owner;
+    out->coincident = 0;
+    SIMD_PREFETCH(&w->objects_info[owner]);
+    some->selves[n] = self;
+    some->rays[n] = ray;
+    some->at[n] = &out->crossing;
+    some->contacts[n] = hit_contact(out);
+    some->lanes[n] = (uint8_t)lane;
+}
+
+/* Cross them, with points and normals where something is lit. Returns the lanes that are left open. */
+uint64_t sure_pairs_cross(sure_pairs *some, const world *w, query_context *k, const shape_class *shape, uint32_t class_number);
+
 /* The ray in an instance's object space, which is transformed with the others of `some`; it is kept for the normal. */
 static inline const pov_ray *own_ray(query_context *k, xform_batch *some, const instance_xform *at, const pov_ray *ray,
                                      uint32_t which, uint32_t owner)

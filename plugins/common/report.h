@@ -52,6 +52,12 @@ static inline bool common_is_inward(const pov_ray *ray, const pov_hits *hits)
     return ray->origin_surface == hits->owner && (ray->origin_mark.flags & POV_MARK_INWARD);
 }
 
+/* The same of a pair of cross_sure(). */
+static inline bool common_is_sure_inward(const pov_ray *ray, const pov_crossing *at)
+{
+    return ray->origin_surface == at->owner && (ray->origin_mark.flags & POV_MARK_INWARD);
+}
+
 /* Error bound of a root, including the product of t and unit. */
 static inline double common_slack(const common_root *r) { return r->error + 2.0 * COMMON_U * fabs(r->t.hi); }
 

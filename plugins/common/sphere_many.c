@@ -403,7 +403,8 @@ static uint32_t cross_sure_lanes(const void *const *selves, const pov_ray *const
 
     for (uint32_t i = 0; i < COMMON_LANES; i += 4)
         put_four(&lanes, i, selves, rays, n);
-    memset(lanes.tmin, 0, sizeof lanes.tmin);
+    for (uint32_t i = 0; i < COMMON_LANES; i++)
+        lanes.tmin[i] = common_is_sure_inward(rays[common_lane_of(i, n)], at[common_lane_of(i, n)]) ? HUGE_VAL : 0.0;
     find_ends(&lanes, &end);
     left = write_ends(&end, (1u << n) - 1, at);
     if (left) {

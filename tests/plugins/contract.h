@@ -37,6 +37,7 @@ void a_ray_that_leaves_never_hits_its_start(void **unused);
 void a_box_or_sphere_fills_its_bounds(void **unused);
 void a_convex_shape_is_left_for_good(void **unused);
 void who_goes_into_a_closed_shape_comes_out_once(void **unused);
+void exits_of_closed_shapes_are_sure(void **unused);
 void faces_have_the_same_normal_from_everywhere(void **unused);
 
 #endif

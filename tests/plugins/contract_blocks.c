@@ -311,20 +311,6 @@ static uint64_t put_rays(pov_rays *rays, const pov_ray *ray, const pov_frame *fr
     return lanes;
 }
 
-static pov_hits ask_nearest(double tmax, pov_crossing *at)
-{
-    pov_hits hits;
-
-    memset(&hits, 0, sizeof hits);
-    memset(at, 0, sizeof *at);
-    hits.tmax = tmax;
-    hits.want = POV_WANT_NEAREST;
-    hits.owner = OWNER;
-    hits.capacity = 1;
-    hits.at = at;
-    return hits;
-}
-
 static bool is_alike(const pov_hits *a, const pov_hits *b)
 {
     return a->count == b->count && a->count == 1 && a->at->t == b->at->t && a->at->t_lo == b->at->t_lo
@@ -347,8 +333,8 @@ static int wrong_crossings(const pov_candidate *candidates, uint32_t count, cons
             continue;
         selves[n] = things[candidates[i].lane]->self;
         rays[n] = &ray[candidates[i].ray];
-        hits[0][n] = ask_nearest(tmax[candidates[i].ray], &at[0][n]);
-        hits[1][n] = ask_nearest(tmax[candidates[i].ray], &at[1][n]);
+        hits[0][n] = subject_nearest(tmax[candidates[i].ray], &at[0][n]);
+        hits[1][n] = subject_nearest(tmax[candidates[i].ray], &at[1][n]);
         asked[n] = &hits[1][n];
         subject.shape->intersect(selves[n], rays[n], &hits[0][n]);
         n++;
@@ -360,33 +346,11 @@ static int wrong_crossings(const pov_candidate *candidates, uint32_t count, cons
     return wrong;
 }
 
-static pov_two along(double o, double o_lo, pov_two t, double d)
-{
-    return pov_two_add(pov_two_add_double(pov_two_of(o, 0.0), o_lo), pov_two_mul_double(t, d));
-}
-
-/* Is a contact where the crossing is, with the normal that is found there? */
-static bool is_contact(const void *self, const pov_ray *ray, const pov_crossing *at, const pov_contact *found)
-{
-    const pov_two t = pov_fast_two_sum(at->t, at->t_lo);
-    const pov_two x = along(ray->org.x, ray->org_lo.x, t, ray->dir.x), y = along(ray->org.y, ray->org_lo.y, t, ray->dir.y);
-    const pov_two z = along(ray->org.z, ray->org_lo.z, t, ray->dir.z);
-    const pov_vec3 point[2] = { pov_vec3_of(x.hi, y.hi, z.hi), pov_vec3_of(x.lo, y.lo, z.lo) }, *const from = point;
-    pov_vec3 normal, *const to = &normal;
-
-    if (subject.shape->normal_at_many)
-        subject.shape->normal_at_many(&self, &from, &to, 1);
-    else
-        subject.shape->normal(self, ray, at, &normal);
-    return memcmp(&point[0], &found->point, sizeof point[0]) == 0 && memcmp(&point[1], &found->point_lo, sizeof point[1]) == 0 &&
-           memcmp(&normal, &found->normal, sizeof normal) == 0;
-}
-
 /* Start a ray shortly before its crossing. */
 static void come_near(const void *self, pov_ray *ray, double *end)
 {
     pov_crossing at;
-    pov_hits hits = ask_nearest(*end, &at);
+    pov_hits hits = subject_nearest(*end, &at);
     double t;
 
     subject.shape->intersect(self, ray, &hits);
@@ -428,12 +392,12 @@ static int wrong_sure(const pov_candidate *candidates, uint32_t count, const thi
     open = subject.shape->cross_sure(selves, rays, to, where, n);
     for (uint32_t i = 0; i < n; i++) {
         pov_crossing alone;
-        pov_hits hits = ask_nearest(ends[i], &alone);
+        pov_hits hits = subject_nearest(ends[i], &alone);
 
         subject.shape->intersect(selves[i], rays[i], &hits);
         if (!(open >> i & 1))
             wrong += hits.count != 1 || alone.t != at[i].t || alone.t_lo != at[i].t_lo || memcmp(&alone.mark, &at[i].mark, sizeof alone.mark) != 0 ||
-                     !is_contact(selves[i], rays[i], &at[i], &contacts[i]);
+                     !subject_is_contact(selves[i], rays[i], &at[i], &contacts[i]);
     }
     return wrong;
 }

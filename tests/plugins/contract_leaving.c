@@ -87,30 +87,38 @@ void a_convex_shape_is_left_for_good(void **unused)
         subject_skip("is not a POV_SHAPE_CONVEX");
 }
 
+/* A ray that goes into a closed shape from one of these crossings. False: none was found. */
+static bool go_in(const thing *t, const pov_ray *ray, const pov_crossing *at, uint32_t n, pov_ray *next)
+{
+    const uint32_t which = (uint32_t)(n * subject_uniform());
+    pov_vec3 normal;
+
+    if (n == 0 || !(at[which].mark.flags & POV_MARK_CLOSED))
+        return false;
+    memset(next, 0, sizeof *next);
+    subject.shape->normal(t->self, ray, &at[which], &normal);
+    subject_point(ray, at[which].t, at[which].t_lo, &next->org, &next->org_lo);
+    next->dir = subject_direction();
+    if (pov_dot(next->dir, normal) > 0.0)
+        next->dir = pov_scale(next->dir, -1.0);
+    next->origin_surface = OWNER;
+    next->origin_mark = at[which].mark;
+    next->origin_mark.flags |= POV_MARK_INWARD;
+    return pov_dot(next->dir, normal) < -1e-6;
+}
+
 /* From each crossing inward: out once, and then no more. */
 static bool comes_out_once(const thing *t, const pov_ray *ray)
 {
     pov_crossing at[MOST], again[MOST];
-    uint32_t n = subject_ask(t->self, ray, at), i, which = (uint32_t)(n * subject_uniform());
-    pov_vec3 normal;
+    const uint32_t n = subject_ask(t->self, ray, at);
     pov_ray next;
 
-    for (i = 1; i < n; i++)
+    for (uint32_t i = 1; i < n; i++)
         if ((at[i].mark.flags ^ at[0].mark.flags) & POV_MARK_CLOSED)
             return false;
-    if (n == 0 || !(at[0].mark.flags & POV_MARK_CLOSED))
+    if (!go_in(t, ray, at, n, &next))
         return true;
-    memset(&next, 0, sizeof next);
-    subject.shape->normal(t->self, ray, &at[which], &normal);
-    subject_point(ray, at[which].t, at[which].t_lo, &next.org, &next.org_lo);
-    next.dir = subject_direction();
-    if (pov_dot(next.dir, normal) > 0.0)
-        next.dir = pov_scale(next.dir, -1.0);
-    if (!(pov_dot(next.dir, normal) < -1e-6))
-        return true;
-    next.origin_surface = OWNER;
-    next.origin_mark = at[which].mark;
-    next.origin_mark.flags |= POV_MARK_INWARD;
     return subject_ask(t->self, &next, again) == 1 && again[0].mark.flags & POV_MARK_CLOSED;
 }
 
@@ -118,6 +126,65 @@ void who_goes_into_a_closed_shape_comes_out_once(void **unused)
 {
     (void)unused;
     subject_each_ray(SPAWNED, comes_out_once);
+}
+
+/* Rays that went in, and those of them that were not left open. */
+static uint32_t gone_in, crossed;
+
+/* Several that go in, and the ray itself among them. */
+static bool exits_are_sure(const thing *t, const pov_ray *ray)
+{
+    const void *selves[MOST];
+    const pov_ray *rays[MOST];
+    pov_crossing at[MOST], found[MOST], *to[MOST];
+    pov_contact contacts[MOST], *where[MOST];
+    const uint32_t n = subject_ask(t->self, ray, at);
+    pov_ray next[MOST];
+    uint32_t count = 0;
+    uint64_t open;
+
+    for (uint32_t i = 0; i < 7; i++)
+        if (go_in(t, ray, at, n, &next[count])) {
+            found[count].owner = OWNER;
+            rays[count] = &next[count];
+            count++;
+        }
+    gone_in += count;
+    if (count == 0)
+        return true;
+    if (subject_uniform() < 0.5 && ray->origin_surface != OWNER) {
+        found[count].owner = OWNER + 1;
+        rays[count++] = ray;
+    }
+    for (uint32_t i = 0; i < count; i++) {
+        selves[i] = t->self;
+        to[i] = &found[i];
+        where[i] = &contacts[i];
+    }
+    open = subject.shape->cross_sure(selves, rays, to, where, count);
+    for (uint32_t i = 0; i < count; i++) {
+        pov_crossing single;
+        pov_hits hits = subject_nearest(HUGE_VAL, &single);
+
+        if (open >> i & 1)
+            continue;
+        crossed += rays[i] != ray;
+        subject.shape->intersect(t->self, rays[i], &hits);
+        if (hits.count != 1 || single.t != found[i].t || single.t_lo != found[i].t_lo ||
+            memcmp(&single.mark, &found[i].mark, sizeof single.mark) != 0 || !subject_is_contact(t->self, rays[i], &found[i], &contacts[i]))
+            return false;
+    }
+    return true;
+}
+
+void exits_of_closed_shapes_are_sure(void **unused)
+{
+    (void)unused;
+    if (!HAS(cross_sure))
+        subject_skip("has no cross_sure");
+    gone_in = crossed = 0;
+    subject_each_ray(SPAWNED / 8, exits_are_sure);
+    assert_true(crossed > 0 || gone_in == 0);
 }
 
 static bool normals_need_no_ray(const thing *t, const pov_ray *ray)

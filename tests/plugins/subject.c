@@ -398,3 +398,38 @@ void subject_point(const pov_ray *ray, double t, double t_lo, pov_vec3 *hi, pov_
     *hi = pov_vec3_of(x.hi, y.hi, z.hi);
     *lo = pov_vec3_of(x.lo, y.lo, z.lo);
 }
+
+pov_hits subject_nearest(double tmax, pov_crossing *at)
+{
+    pov_hits hits;
+
+    memset(&hits, 0, sizeof hits);
+    memset(at, 0, sizeof *at);
+    hits.tmax = tmax;
+    hits.want = POV_WANT_NEAREST;
+    hits.owner = OWNER;
+    hits.capacity = 1;
+    hits.at = at;
+    return hits;
+}
+
+static pov_two along(double o, double o_lo, pov_two t, double d)
+{
+    return pov_two_add(pov_two_add_double(pov_two_of(o, 0.0), o_lo), pov_two_mul_double(t, d));
+}
+
+bool subject_is_contact(const void *self, const pov_ray *ray, const pov_crossing *at, const pov_contact *found)
+{
+    const pov_two t = pov_fast_two_sum(at->t, at->t_lo);
+    const pov_two x = along(ray->org.x, ray->org_lo.x, t, ray->dir.x), y = along(ray->org.y, ray->org_lo.y, t, ray->dir.y);
+    const pov_two z = along(ray->org.z, ray->org_lo.z, t, ray->dir.z);
+    const pov_vec3 point[2] = { pov_vec3_of(x.hi, y.hi, z.hi), pov_vec3_of(x.lo, y.lo, z.lo) }, *const from = point;
+    pov_vec3 normal, *const to = &normal;
+
+    if (subject.shape->normal_at_many)
+        subject.shape->normal_at_many(&self, &from, &to, 1);
+    else
+        subject.shape->normal(self, ray, at, &normal);
+    return memcmp(&point[0], &found->point, sizeof point[0]) == 0 && memcmp(&point[1], &found->point_lo, sizeof point[1]) == 0 &&
+           memcmp(&normal, &found->normal, sizeof normal) == 0;
+}

@@ -57,6 +57,10 @@ void *subject_scratch(const void *self);
 uint32_t subject_ask_in(const void *self, const pov_ray *ray, pov_want want, double tmin, double tmax, bool exact,
                         pov_crossing at[MOST]);
 uint32_t subject_ask(const void *self, const pov_ray *ray, pov_crossing at[MOST]);
+/* A sink for the nearest crossing up to tmax. */
+pov_hits subject_nearest(double tmax, pov_crossing *at);
+/* Is a contact where the crossing is, with the normal that is found there? */
+bool subject_is_contact(const void *self, const pov_ray *ray, const pov_crossing *at, const pov_contact *found);
 /* The point at t, in double-double. */
 void subject_point(const pov_ray *ray, double t, double t_lo, pov_vec3 *hi, pov_vec3 *lo);
 

@@ -110,6 +110,7 @@ static int check_file(const char *file)
         cmocka_unit_test(a_box_or_sphere_fills_its_bounds),
         cmocka_unit_test(a_convex_shape_is_left_for_good),
         cmocka_unit_test(who_goes_into_a_closed_shape_comes_out_once),
+        cmocka_unit_test(exits_of_closed_shapes_are_sure),
         cmocka_unit_test(faces_have_the_same_normal_from_everywhere),
         cmocka_unit_test(garbage_never_crashes_parse),
     };
