@@ -8,8 +8,6 @@
 #include "shade/stack.h"
 #include "texture/texture.h"
 
-#include <stdlib.h>
-
 static uint32_t larger(uint32_t a, uint32_t b) { return a > b ? a : b; }
 
 /* A texture of one pigment, whose normal alone varies. */
@@ -63,13 +61,6 @@ static bool add_finishes(finish_list *list, const env *e, const texture *of)
     return done;
 }
 
-static int order(const void *a, const void *b)
-{
-    const uintptr_t x = (uintptr_t)*(const finish *const *)a, y = (uintptr_t)*(const finish *const *)b;
-
-    return (x > y) - (x < y);
-}
-
 /* What textures ask of the surface. */
 static void note_texture(shading *s, const texture *of)
 {
@@ -99,41 +90,43 @@ static bool list_finishes(shading *s, finish_list *list)
     return true;
 }
 
+/* The slot of a finish, or the free one where it belongs. */
+static inline appearance *slot_of(const shading *s, const finish *of)
+{
+    size_t i = (size_t)(((uint64_t)(uintptr_t)of >> 3) * 0x9e3779b97f4a7c15u >> 32);
+
+    for (i &= s->finish_slots - 1; s->finishes[i].finish && s->finishes[i].finish != of; i = (i + 1) & (s->finish_slots - 1))
+        ;
+    return &s->finishes[i];
+}
+
+static bool make_slots(shading *s, const env *e, size_t count)
+{
+    for (s->finish_slots = 2; s->finish_slots < 2 * count; s->finish_slots *= 2)
+        ;
+    s->finishes = env_alloc(e, s->finish_slots, sizeof *s->finishes);
+    return s->finishes != NULL;
+}
+
 static bool make_finishes(shading *s, const model *m)
 {
     static const pigment none;
     finish_list list = { NULL, 0, 0 };
-    bool done = list_finishes(s, &list);
+    bool done = list_finishes(s, &list) && (list.count == 0 || make_slots(s, m->env, list.count));
 
-    if (done && list.count > 0) {
-        qsort(list.items, list.count, sizeof *list.items, order);
-        s->finishes = env_alloc(m->env, list.count, sizeof *s->finishes);
-        done = s->finishes != NULL;
-    }
     for (size_t i = 0; done && i < list.count; i++) {
-        if (i > 0 && list.items[i] == list.items[i - 1])
+        appearance *to = slot_of(s, list.items[i]);
+
+        if (to->finish)
             continue;
-        appearance_make(&s->finishes[s->finish_count], s->plan, m, list.items[i], &none);
-        s->angular |= s->finishes[s->finish_count++].angular;
+        appearance_make(to, s->plan, m, list.items[i], &none);
+        s->angular |= to->angular;
     }
     env_free(m->env, list.items);
     return done;
 }
 
-const appearance *shading_finish(const shading *s, const finish *of)
-{
-    size_t low = 0, high = s->finish_count;
-
-    while (high - low > 1) {
-        const size_t middle = (low + high) / 2;
-
-        if ((uintptr_t)s->finishes[middle].finish <= (uintptr_t)of)
-            low = middle;
-        else
-            high = middle;
-    }
-    return &s->finishes[low];
-}
+const appearance *shading_finish(const shading *s, const finish *of) { return slot_of(s, of); }
 
 /* ---- stacks of constant layers ---- */
 

@@ -18,8 +18,8 @@ typedef struct shading {
     const uint32_t *solids;      /* see world_own_solids() */
     uint32_t own_names;          /* of these; shading_info() */
     appearance *appearances;     /* one a material */
-    appearance *finishes;        /* one a finish of varying textures, in the order of their places in memory */
-    size_t finish_count;
+    appearance *finishes;        /* one a finish of varying textures, in a hash table by their places in memory: a power of two of */
+    size_t finish_slots;         /* slots, of which those without a finish are free */
     uint32_t most_terms;         /* of a texture at a point */
     bool angular;                /* some finish reflects or transmits by the angle of the ray */
     bool even;                   /* all materials are: see appearance.h */
