@@ -7,7 +7,7 @@ enum { LANES = 4 };
 
 /* Offsets in doubles: of an instance transform's from the anchor on, where the fourth is unused, and of a ray's, with
  * three others. */
-enum { COLUMN = 4, COLUMN_LO = 13, OWN = 22, OWN_LO = 25, NUMBERS = 28, ORG = 0, ORG_LO = 3, DIR = 6, COMPONENTS = 12 };
+enum { COLUMN = 4, COLUMN_LO = 13, OWN = 22, OWN_LO = 25, NUMBERS = 28, ORG = 0, ORG_LO = 3, DIR = 6, DIR_LO = 9, COMPONENTS = 12 };
 
 typedef struct pair_lanes { double xform[NUMBERS][LANES], ray[COMPONENTS][LANES]; } pair_lanes;
 
@@ -154,6 +154,32 @@ SIMD_CLONES SIMD_NOINLINE static void find_same(const instance_xform *restrict p
     }
 }
 
+/* As scale_point() and scale_direction() for an axis. */
+SIMD_INLINE void put_scaled(pov_two by, double anchor, pov_two own, size_t lane, size_t i, const same_lanes *l, same_lanes *out)
+{
+    const pov_two o = pov_two_add(pov_two_mul(by, start_of(l, lane, i, anchor)), own);
+    const pov_two d = pov_two_mul(by, pov_two_of(l->component[DIR + i][lane], l->component[DIR_LO + i][lane]));
+
+    out->component[i][lane] = o.hi;
+    out->component[3 + i][lane] = o.lo;
+    out->component[6 + i][lane] = d.hi;
+    out->component[9 + i][lane] = d.lo;
+}
+
+/* The same where the inverse is diagonal. */
+SIMD_CLONES SIMD_NOINLINE static void scale_same(const instance_xform *restrict p, const same_lanes *restrict l, same_lanes *restrict out)
+{
+    const pov_two x = pov_two_of(p->column[0].x, p->column_lo[0].x), y = pov_two_of(p->column[1].y, p->column_lo[1].y);
+    const pov_two z = pov_two_of(p->column[2].z, p->column_lo[2].z);
+    const pov_vec3 at = p->anchor, own = p->own_anchor, own_lo = p->own_anchor_lo;
+
+    for (size_t i = 0; i < SAME; i++) {
+        put_scaled(x, at.x, pov_two_of(own.x, own_lo.x), i, 0, l, out);
+        put_scaled(y, at.y, pov_two_of(own.y, own_lo.y), i, 1, l, out);
+        put_scaled(z, at.z, pov_two_of(own.z, own_lo.z), i, 2, l, out);
+    }
+}
+
 /* The first components of four rays, to or from lanes from `at` on. */
 static inline void take_four(const pov_ray *const *rays, uint32_t at, uint32_t n, same_lanes *l)
 {
@@ -166,6 +192,18 @@ static inline void take_four(const pov_ray *const *rays, uint32_t at, uint32_t n
     simd_transpose(from, offsetof(pov_ray, dir.z), l->component[8] + at, l->component[9] + at, l->component[10] + at, l->component[11] + at);
 }
 
+/* The lower parts of their directions, of which the last ends the ray. */
+static inline void take_low(const pov_ray *const *rays, uint32_t at, uint32_t n, same_lanes *l)
+{
+    const void *from[LANES];
+    double other[LANES];
+
+    for (uint32_t i = 0; i < LANES; i++)
+        from[i] = rays[at + i < n ? at + i : n - 1];
+    simd_transpose(from, offsetof(pov_ray, dir_lo) - sizeof(double), other, l->component[DIR_LO] + at, l->component[DIR_LO + 1] + at,
+                   l->component[DIR_LO + 2] + at);
+}
+
 static inline void give_four(same_lanes *l, uint32_t at, uint32_t n, pov_ray *const *own)
 {
     pov_ray *to[LANES], unused;
@@ -176,14 +214,20 @@ static inline void give_four(same_lanes *l, uint32_t at, uint32_t n, pov_ray *co
     give_rows(l->component[4] + at, SAME, to, offsetof(pov_ray, org_lo.y));
 }
 
-/* Up to eight of one instance, whose inverse is not diagonal. */
+/* Up to eight of one instance. */
 static void rays_same(const instance_xform *p, const pov_ray *const *rays, pov_ray *const *own, uint32_t n)
 {
     same_lanes l, out;
 
     take_four(rays, 0, n, &l);
     take_four(rays, LANES, n, &l);
-    find_same(p, &l, &out);
+    if (p->axes) {
+        take_low(rays, 0, n, &l);
+        take_low(rays, LANES, n, &l);
+        scale_same(p, &l, &out);
+    } else {
+        find_same(p, &l, &out);
+    }
     give_four(&out, 0, n, own);
     if (n > LANES)
         give_four(&out, LANES, n, own);
@@ -223,7 +267,7 @@ void instance_rays(const instance_xform *const *p, const pov_ray *const *rays, p
 
     for (; n > 0; n -= some, p += some, rays += some, own += some) {
         some = count_same(p, n);
-        if (some >= LEAST && !p[0]->axes) {
+        if (some >= LEAST) {
             rays_same(p[0], rays, own, some);
             continue;
         }
@@ -327,6 +371,24 @@ SIMD_CLONES SIMD_NOINLINE static void rotate_same(const instance_xform *restrict
     }
 }
 
+/* As rotate_same() where the inverse is diagonal. */
+SIMD_CLONES SIMD_NOINLINE static void stretch_same(const instance_xform *restrict p, const normal_lanes *restrict from, same_units *restrict out)
+{
+    const pov_two x = pov_two_of(p->column[0].x, p->column_lo[0].x), y = pov_two_of(p->column[1].y, p->column_lo[1].y);
+    const pov_two z = pov_two_of(p->column[2].z, p->column_lo[2].z);
+
+    for (size_t i = 0; i < SAME; i++) {
+        const pov_vec3 n = pov_vec3_of(pov_two_mul_double(x, from->x[i]).hi, pov_two_mul_double(y, from->y[i]).hi,
+                                       pov_two_mul_double(z, from->z[i]).hi);
+        const double square = pov_dot(n, n), length = sqrt(square);
+
+        out->normal[0][i] = n.x / length;
+        out->normal[1][i] = n.y / length;
+        out->normal[2][i] = n.z / length;
+        out->square[i] = square;
+    }
+}
+
 /* Up to eight. */
 static void rotate_all(const instance_xform *p, pov_vec3 *const *normals, uint32_t n)
 {
@@ -340,7 +402,10 @@ static void rotate_all(const instance_xform *p, pov_vec3 *const *normals, uint32
         from.y[i] = of.y;
         from.z[i] = of.z;
     }
-    rotate_same(p, &from, &out);
+    if (p->axes)
+        stretch_same(p, &from, &out);
+    else
+        rotate_same(p, &from, &out);
     for (uint32_t i = 0; i < n; i++)
         if (out.square[i] >= LEAST_SQUARE && out.square[i] <= MOST_SQUARE)
             *normals[i] = pov_vec3_of(out.normal[0][i], out.normal[1][i], out.normal[2][i]);
