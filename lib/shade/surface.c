@@ -272,17 +272,30 @@ static void complete_some(const shade_context *c, surfaces *s)
 static void set_shading_normals(const shading *scene, surfaces *s)
 {
     geometry *g = &s->geometry;
-    bool smooth = false;
+    pov_vec3 normals[BATCH_MAX];
+    const pov_ray *rays[BATCH_MAX];
+    hit *hits[BATCH_MAX];
+    uint8_t of[BATCH_MAX];
+    uint32_t n = 0;
+    uint64_t smooth;
 
     for (uint32_t i = 0; i < s->count; i++) {
-        pov_vec3 normal = lanes_at(&g->to.normal, i);
-
-        if (shading_info(scene, s->found[i]->object)->smooth)
-            smooth |= world_shading_normal(scene->world, s->rays[i], s->found[i], &normal);
-        lanes_put(&g->smooth, i, normal);
+        if (!shading_info(scene, s->found[i]->object)->smooth)
+            continue;
+        rays[n] = s->rays[i];
+        hits[n] = s->found[i];
+        of[n++] = (uint8_t)i;
     }
-    if (smooth)
-        g->shading = g->raw = &g->smooth;
+    smooth = n > 0 ? world_shading_normals(scene->world, rays, hits, n, normals) : 0;
+    if (!smooth)
+        return;
+    g->smooth = g->to.normal;
+    for (; smooth; smooth &= smooth - 1) {
+        const uint32_t k = first_of64(smooth);
+
+        lanes_put(&g->smooth, of[k], normals[k]);
+    }
+    g->shading = g->raw = &g->smooth;
 }
 
 /* Does no path go on from any of them, as all are at the last level? Rays that go straight on keep theirs. */

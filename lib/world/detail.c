@@ -44,13 +44,121 @@ bool world_blended_normal(const world *w, const hit *h, pov_vec3 *out)
     return true;
 }
 
+static inline void face(const pov_ray *ray, pov_vec3 *normal)
+{
+    if (pov_dot(*normal, ray->dir) > 0.0)
+        *normal = pov_scale(*normal, -1.0);
+}
+
 bool world_shading_normal(const world *w, const pov_ray *ray, const hit *h, pov_vec3 *out)
 {
     if (!world_blended_normal(w, h, out))
         return false;
-    if (pov_dot(*out, ray->dir) > 0.0)
-        *out = pov_scale(*out, -1.0);
+    face(ray, out);
     return true;
+}
+
+/* ---- shading normals of many ---- */
+
+/* Hits on instances of this world whose shapes blend normals, and where they are in the space of these. */
+typedef struct blends {
+    uint32_t count, of[WORLD_MANY];
+    const shape_class *shape[WORLD_MANY];
+    shape_ref ref[WORLD_MANY];
+    pov_vec3 point[WORLD_MANY], point_lo[WORLD_MANY];
+} blends;
+
+/* The normals that go into each, from first[i] on; and those of them that are still to be turned into the world. */
+typedef struct blended {
+    pov_vec3 normal[WORLD_MANY * POV_NORMALS_MAX];
+    double share[WORLD_MANY * POV_NORMALS_MAX];
+    uint32_t first[WORLD_MANY + 1], instanced;
+    const instance_xform *xform[WORLD_MANY * POV_NORMALS_MAX];
+    pov_vec3 *turned[WORLD_MANY * POV_NORMALS_MAX];
+} blended;
+
+static void bring_to_instances(blends *b)
+{
+    const instance_xform *xforms[WORLD_MANY];
+    pov_vec3 *points[WORLD_MANY], *points_lo[WORLD_MANY];
+    uint32_t n = 0;
+
+    for (uint32_t i = 0; i < b->count; i++) {
+        if (!b->ref[i].xform)
+            continue;
+        xforms[n] = b->ref[i].xform;
+        points[n] = &b->point[i];
+        points_lo[n++] = &b->point_lo[i];
+    }
+    instance_points(xforms, points, points_lo, n);
+}
+
+static void find_blended(const blends *b, hit *const *hits, blended *out)
+{
+    uint32_t n = 0;
+
+    out->instanced = 0;
+    for (uint32_t i = 0; i < b->count; i++) {
+        const uint32_t first = out->first[i] = n;
+
+        n += b->shape[i]->shading_normals(b->ref[i].instance, b->point[i], b->point_lo[i], &hits[b->of[i]]->crossing.mark, &out->normal[n],
+                                          &out->share[n]);
+        for (uint32_t k = first; b->ref[i].xform && k < n; k++) {
+            out->xform[out->instanced] = b->ref[i].xform;
+            out->turned[out->instanced++] = &out->normal[k];
+        }
+    }
+    out->first[b->count] = n;
+    instance_world_normals(out->xform, out->turned, out->instanced);
+}
+
+/* Those that are not on instances of this world are found at once. Returns them. */
+static uint64_t take_blends(const world *w, const pov_ray *const *rays, hit *const *hits, uint32_t n, blends *b, pov_vec3 *out)
+{
+    uint64_t found = 0;
+
+    b->count = 0;
+    for (uint32_t i = 0; i < n; i++) {
+        const hit *h = hits[i];
+        const uint32_t k = b->count;
+
+        if (!world_is_own(w, h->object)) {
+            found |= (uint64_t)world_shading_normal(w, rays[i], h, &out[i]) << i;
+            continue;
+        }
+        b->shape[k] = w->groups[w->objects_info[h->object].group].shape;
+        if (!b->shape[k]->shading_normals)
+            continue;
+        b->of[k] = i;
+        b->ref[k] = world_shape(w, h->object);
+        b->point[k] = h->point;
+        b->point_lo[k] = h->point_lo;
+        b->count++;
+    }
+    return found;
+}
+
+uint64_t world_shading_normals(const world *w, const pov_ray *const *rays, hit *const *hits, uint32_t n, pov_vec3 *out)
+{
+    blends b;
+    blended from;
+    uint64_t found = take_blends(w, rays, hits, n, &b, out);
+
+    bring_to_instances(&b);
+    find_blended(&b, hits, &from);
+    for (uint32_t i = 0; i < b.count; i++) {
+        const uint32_t of = b.of[i];
+        pov_vec3 sum = { 0.0, 0.0, 0.0 };
+
+        for (uint32_t k = from.first[i]; k < from.first[i + 1]; k++)
+            sum = pov_add(sum, pov_scale(from.normal[k], from.share[k]));
+        if (!(pov_largest(sum) > 0.0))
+            continue;
+        out[of] = pov_unit(sum);
+        face(rays[of], &out[of]);
+        found |= (uint64_t)1 << of;
+    }
+    return found;
 }
 
 void world_uv(const world *w, const hit *h, double out[2])

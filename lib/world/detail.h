@@ -11,6 +11,8 @@ bool world_blended_normal(const world *w, const hit *h, pov_vec3 *out);
 /* The shading normal of a completed hit: unit, in the world, facing the ray's start. False: it is the geometric one.
  * Only objects with object_info.smooth have another. */
 bool world_shading_normal(const world *w, const pov_ray *ray, const hit *h, pov_vec3 *out);
+/* The same of up to WORLD_MANY: bit i: out[i] is set. */
+uint64_t world_shading_normals(const world *w, const pov_ray *const *rays, hit *const *hits, uint32_t n, pov_vec3 *out);
 /* Surface coordinates of a completed hit on a leaf with LEAF_UV: those of its class, else x and y in the world, as in
  * POV-Ray. */
 void world_uv(const world *w, const hit *h, double out[2]);

@@ -65,6 +65,8 @@ void instance_world_normals(const instance_xform *const *p, pov_vec3 *const *nor
 void instance_rotate_normals(const instance_xform *p, pov_vec3 *normals, uint32_t n);
 /* A point of the world in object space. */
 pov_two3 instance_point(const instance_xform *p, pov_vec3 point, pov_vec3 point_lo);
+/* The same n times, bit for bit, in place. */
+void instance_points(const instance_xform *const *p, pov_vec3 *const *points, pov_vec3 *const *points_lo, uint32_t n);
 bool instance_inside(const instance_xform *p, const shape_class *shape, const void *self, pov_vec3 point,
                      pov_vec3 point_lo);
 

@@ -7,7 +7,7 @@ enum { LANES = 4 };
 
 /* Offsets in doubles: of an instance transform's from the anchor on, where the fourth is unused, and of a ray's, with
  * three others. */
-enum { COLUMN = 4, COLUMN_LO = 13, OWN = 22, OWN_LO = 25, NUMBERS = 28, ORG = 0, ORG_LO = 3, DIR = 6, DIR_LO = 9, COMPONENTS = 12 };
+enum { COLUMN = 4, COLUMN_LO = 13, OWN = 22, OWN_LO = 25, NUMBERS = 28, ORG = 0, ORG_LO = 3, DIR = 6, COMPONENTS = 12 };
 
 typedef struct pair_lanes { double xform[NUMBERS][LANES], ray[COMPONENTS][LANES]; } pair_lanes;
 
@@ -158,7 +158,7 @@ SIMD_CLONES SIMD_NOINLINE static void find_same(const instance_xform *restrict p
 SIMD_INLINE void put_scaled(pov_two by, double anchor, pov_two own, size_t lane, size_t i, const same_lanes *l, same_lanes *out)
 {
     const pov_two o = pov_two_add(pov_two_mul(by, start_of(l, lane, i, anchor)), own);
-    const pov_two d = pov_two_mul(by, pov_two_of(l->component[DIR + i][lane], l->component[DIR_LO + i][lane]));
+    const pov_two d = pov_two_mul_double(by, l->component[DIR + i][lane]);
 
     out->component[i][lane] = o.hi;
     out->component[3 + i][lane] = o.lo;
@@ -192,18 +192,6 @@ static inline void take_four(const pov_ray *const *rays, uint32_t at, uint32_t n
     simd_transpose(from, offsetof(pov_ray, dir.z), l->component[8] + at, l->component[9] + at, l->component[10] + at, l->component[11] + at);
 }
 
-/* The lower parts of their directions, of which the last ends the ray. */
-static inline void take_low(const pov_ray *const *rays, uint32_t at, uint32_t n, same_lanes *l)
-{
-    const void *from[LANES];
-    double other[LANES];
-
-    for (uint32_t i = 0; i < LANES; i++)
-        from[i] = rays[at + i < n ? at + i : n - 1];
-    simd_transpose(from, offsetof(pov_ray, dir_lo) - sizeof(double), other, l->component[DIR_LO] + at, l->component[DIR_LO + 1] + at,
-                   l->component[DIR_LO + 2] + at);
-}
-
 static inline void give_four(same_lanes *l, uint32_t at, uint32_t n, pov_ray *const *own)
 {
     pov_ray *to[LANES], unused;
@@ -221,13 +209,10 @@ static void rays_same(const instance_xform *p, const pov_ray *const *rays, pov_r
 
     take_four(rays, 0, n, &l);
     take_four(rays, LANES, n, &l);
-    if (p->axes) {
-        take_low(rays, 0, n, &l);
-        take_low(rays, LANES, n, &l);
+    if (p->axes)
         scale_same(p, &l, &out);
-    } else {
+    else
         find_same(p, &l, &out);
-    }
     give_four(&out, 0, n, own);
     if (n > LANES)
         give_four(&out, LANES, n, own);
@@ -277,6 +262,104 @@ void instance_rays(const instance_xform *const *p, const pov_ray *const *rays, p
         else
             for (i = 0; i < some; i++)
                 instance_ray(p[i], rays[i], own[i]);
+    }
+}
+
+/* ---- points ---- */
+
+typedef struct point_lanes { double at[3][SAME], at_lo[3][SAME]; } point_lanes;
+
+SIMD_INLINE pov_two from_anchor(const point_lanes *l, size_t lane, size_t j, double anchor)
+{
+    return pov_two_add_double(pov_two_sum(l->at[j][lane], -anchor), l->at_lo[j][lane]);
+}
+
+SIMD_INLINE void put_point(point_lanes *out, size_t lane, size_t i, pov_two moved, pov_two own)
+{
+    const pov_two o = pov_two_add(moved, own);
+
+    out->at[i][lane] = o.hi;
+    out->at_lo[i][lane] = o.lo;
+}
+
+SIMD_INLINE pov_two times_row(pov_two a, pov_two b, pov_two c, pov_two x, pov_two y, pov_two z)
+{
+    return pov_two_add(pov_two_add(pov_two_mul(a, x), pov_two_mul(b, y)), pov_two_mul(c, z));
+}
+
+SIMD_INLINE pov_two column_of(const instance_xform *p, int i, int j)
+{
+    const pov_vec3 hi = p->column[j], lo = p->column_lo[j];
+
+    return i == 0 ? pov_two_of(hi.x, lo.x) : i == 1 ? pov_two_of(hi.y, lo.y) : pov_two_of(hi.z, lo.z);
+}
+
+SIMD_CLONES SIMD_NOINLINE static void rotate_points(const instance_xform *restrict p, const point_lanes *restrict l, point_lanes *restrict out)
+{
+    const pov_two xx = column_of(p, 0, 0), xy = column_of(p, 0, 1), xz = column_of(p, 0, 2);
+    const pov_two yx = column_of(p, 1, 0), yy = column_of(p, 1, 1), yz = column_of(p, 1, 2);
+    const pov_two zx = column_of(p, 2, 0), zy = column_of(p, 2, 1), zz = column_of(p, 2, 2);
+    const pov_vec3 anchor = p->anchor, own = p->own_anchor, own_lo = p->own_anchor_lo;
+
+    for (size_t i = 0; i < SAME; i++) {
+        const pov_two x = from_anchor(l, i, 0, anchor.x), y = from_anchor(l, i, 1, anchor.y), z = from_anchor(l, i, 2, anchor.z);
+
+        put_point(out, i, 0, times_row(xx, xy, xz, x, y, z), pov_two_of(own.x, own_lo.x));
+        put_point(out, i, 1, times_row(yx, yy, yz, x, y, z), pov_two_of(own.y, own_lo.y));
+        put_point(out, i, 2, times_row(zx, zy, zz, x, y, z), pov_two_of(own.z, own_lo.z));
+    }
+}
+
+/* The same where the inverse is diagonal. */
+SIMD_CLONES SIMD_NOINLINE static void stretch_points(const instance_xform *restrict p, const point_lanes *restrict l, point_lanes *restrict out)
+{
+    const pov_two x = column_of(p, 0, 0), y = column_of(p, 1, 1), z = column_of(p, 2, 2);
+    const pov_vec3 anchor = p->anchor, own = p->own_anchor, own_lo = p->own_anchor_lo;
+
+    for (size_t i = 0; i < SAME; i++) {
+        put_point(out, i, 0, pov_two_mul(x, from_anchor(l, i, 0, anchor.x)), pov_two_of(own.x, own_lo.x));
+        put_point(out, i, 1, pov_two_mul(y, from_anchor(l, i, 1, anchor.y)), pov_two_of(own.y, own_lo.y));
+        put_point(out, i, 2, pov_two_mul(z, from_anchor(l, i, 2, anchor.z)), pov_two_of(own.z, own_lo.z));
+    }
+}
+
+/* Up to eight of one instance. */
+static void points_same(const instance_xform *p, pov_vec3 *const *points, pov_vec3 *const *points_lo, uint32_t n)
+{
+    point_lanes l, out;
+
+    for (uint32_t i = 0; i < SAME; i++) {
+        const pov_vec3 at = *points[i < n ? i : 0], at_lo = *points_lo[i < n ? i : 0];
+
+        l.at[0][i] = at.x, l.at[1][i] = at.y, l.at[2][i] = at.z;
+        l.at_lo[0][i] = at_lo.x, l.at_lo[1][i] = at_lo.y, l.at_lo[2][i] = at_lo.z;
+    }
+    if (p->axes)
+        stretch_points(p, &l, &out);
+    else
+        rotate_points(p, &l, &out);
+    for (uint32_t i = 0; i < n; i++) {
+        *points[i] = pov_vec3_of(out.at[0][i], out.at[1][i], out.at[2][i]);
+        *points_lo[i] = pov_vec3_of(out.at_lo[0][i], out.at_lo[1][i], out.at_lo[2][i]);
+    }
+}
+
+void instance_points(const instance_xform *const *p, pov_vec3 *const *points, pov_vec3 *const *points_lo, uint32_t n)
+{
+    uint32_t some;
+
+    for (; n > 0; n -= some, p += some, points += some, points_lo += some) {
+        some = count_same(p, n);
+        if (some >= LEAST) {
+            points_same(p[0], points, points_lo, some);
+            continue;
+        }
+        for (uint32_t i = 0; i < some; i++) {
+            const pov_two3 own = instance_point(p[i], *points[i], *points_lo[i]);
+
+            *points[i] = pov_two3_hi(own);
+            *points_lo[i] = pov_two3_lo(own);
+        }
     }
 }
 

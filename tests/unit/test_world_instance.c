@@ -149,33 +149,64 @@ static bool is_same(const pov_ray *a, const pov_ray *b)
 enum { RAYS = 4, SEPARATION = 19 };   /* how many go at a shape, and how many lanes lie between them */
 enum { NO_ORIGIN = 1 };          /* an owner that no ray starts on */
 
+enum { MANY = 11 };              /* more than any number of lanes */
+
 /* Side by side as one by one. */
 static void check_together(const instance_xform *p, const pov_ray *sent, uint32_t n)
 {
-    const instance_xform *const xforms[RAYS] = { p, p, p, p };
-    const pov_ray *const rays[RAYS] = { &sent[0], &sent[1], &sent[2], &sent[3] };
-    pov_ray own[RAYS], one;
-    pov_ray *const to[RAYS] = { &own[0], &own[1], &own[2], &own[3] };
+    const instance_xform *xforms[MANY];
+    const pov_ray *rays[MANY];
+    pov_ray own[MANY], *to[MANY], one;
     uint32_t i;
 
+    for (i = 0; i < MANY; i++) {
+        xforms[i] = p;
+        rays[i] = &sent[i % RAYS];
+        to[i] = &own[i];
+    }
     instance_rays(xforms, rays, to, n);
     for (i = 0; i < n; i++) {
-        instance_ray(p, &sent[i], &one);
+        instance_ray(p, rays[i], &one);
         assert_true(is_same(&own[i], &one));
+    }
+}
+
+/* Starts of rays as points. */
+static void check_placed(const instance_xform *p, const pov_ray *sent, uint32_t n)
+{
+    const instance_xform *xforms[MANY];
+    pov_vec3 at[MANY], at_lo[MANY], *points[MANY], *points_lo[MANY];
+    uint32_t i;
+
+    for (i = 0; i < MANY; i++) {
+        xforms[i] = p;
+        at[i] = sent[i % RAYS].org;
+        at_lo[i] = sent[i % RAYS].org_lo;
+        points[i] = &at[i];
+        points_lo[i] = &at_lo[i];
+    }
+    instance_points(xforms, points, points_lo, n);
+    for (i = 0; i < n; i++) {
+        const pov_two3 one = instance_point(p, sent[i % RAYS].org, sent[i % RAYS].org_lo);
+        const pov_vec3 hi = pov_two3_hi(one), lo = pov_two3_lo(one);
+
+        assert_memory_equal(&at[i], &hi, sizeof hi);
+        assert_memory_equal(&at_lo[i], &lo, sizeof lo);
     }
 }
 
 /* Normals of shapes, of which some vanish and some are out of the range of squares, turned as one by one. */
 static void check_turned(const instance_xform *p, test_random *r, uint32_t n)
 {
-    const instance_xform *const xforms[RAYS] = { p, p, p, p };
-    pov_vec3 many[RAYS], one[RAYS];
-    pov_vec3 *const normals[RAYS] = { &many[0], &many[1], &many[2], &many[3] };
+    const instance_xform *xforms[MANY];
+    pov_vec3 many[MANY], one[MANY], *normals[MANY];
     uint32_t i;
 
     for (i = 0; i < n; i++) {
         const double least = test_below(r, 4) ? -1.0 : test_below(r, 2) ? -300.0 : -500.0;
 
+        xforms[i] = p;
+        normals[i] = &many[i];
         many[i] = one[i] = pov_scale(test_direction(r), test_power(r, least, -least));
         instance_world_normal(p, &one[i]);
     }
@@ -288,8 +319,9 @@ static void check_map(model *m, test_random *r, const shape_class *shape, pov_bo
         if (put_ray(&rays, i * SEPARATION, &frame, &ray, tmax))
             lanes |= (uint64_t)1 << i * SEPARATION;
     }
-    check_together(&p, sent, 1 + test_below(r, RAYS));
-    check_turned(&p, r, 1 + test_below(r, RAYS));
+    check_together(&p, sent, 1 + test_below(r, MANY));
+    check_placed(&p, sent, 1 + test_below(r, MANY));
+    check_turned(&p, r, 1 + test_below(r, MANY));
     count = fits ? instance_filter_rays(&filters, NO_ORIGIN, &rays, lanes, candidates) : 0;
     for (i = 0; i < count; i++) {
         assert_true((lanes >> candidates[i].ray & 1) && candidates[i].lane == 0 && !of[candidates[i].ray / SEPARATION]);
