@@ -5,8 +5,9 @@
 #include "shade/highlight.h"
 #include "shade/stack.h"
 
-static inline void set_cosines(light_sample *s, const geometry *g, const vec_lanes *normal, uint32_t i, pov_vec3 unit)
+static inline void set_lane(light_sample *s, const geometry *g, const vec_lanes *normal, uint32_t i, pov_vec3 unit)
 {
+    lanes_put(&s->unit, i, unit);
     s->cosine[i] = pov_dot(lanes_at(normal, i), unit);
     s->specular_cos[i] = pov_dot(lanes_at(&g->reflected, i), unit);
 }
@@ -24,7 +25,7 @@ SIMD_CLONES static int find_plain(light_sample *restrict s, const geometry *rest
         pov_vec3 unit;
 
         plain &= geometry_unit(dir->x[i], dir->y[i], dir->z[i], &unit);
-        set_cosines(s, g, normal, i, unit);
+        set_lane(s, g, normal, i, unit);
         steep &= fabs(s->cosine[i]) > WORLD_GRAZING ? -1 : 0;
     }
     return (plain ? 0 : ODD_DIR) | (steep ? 0 : GRAZING);
@@ -34,10 +35,9 @@ bool brdf_cosines(light_sample *s, const geometry *g, const vec_lanes *dir, uint
 {
     const int found = find_plain(s, g, g->shading, dir, n);
 
-    s->odd_dirs = found & ODD_DIR;
-    if (s->odd_dirs)
+    if (found & ODD_DIR)
         for (uint32_t i = 0; i < n; i++)
-            set_cosines(s, g, g->shading, i, pov_unit(lanes_at(dir, i)));
+            set_lane(s, g, g->shading, i, pov_unit(lanes_at(dir, i)));
     return found != 0;
 }
 

@@ -37,10 +37,10 @@ void brdf_begin(finishes *f, const model *m, const surfaces *on, uint32_t level)
 
 /* One sample of a light source for each surface, by lane. */
 typedef struct light_sample {
-    double cosine[BATCH_MAX];    /* between the direction to it and the shading normal */
+    vec_lanes unit;              /* the direction to it */
+    double cosine[BATCH_MAX];    /* between that and the shading normal */
     double specular_cos[BATCH_MAX];   /* ... and the mirrored ray */
     float red[BATCH_MAX], green[BATCH_MAX], blue[BATCH_MAX];   /* reflected light if the source is not occluded */
-    bool odd_dirs;               /* some squared length of a direction is out of range */
     uint32_t odd[BATCH_MAX];     /* 1: not computed yet */
     uint32_t front[BATCH_MAX], contributes[BATCH_MAX];   /* 1: the light is in front; and the reflected light is not
                                                           * zero */

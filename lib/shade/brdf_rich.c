@@ -3,6 +3,8 @@
 #include "shade/brdf.h"
 #include "shade/highlight.h"
 
+#include <string.h>
+
 /* Parts of the reflected light of white light, by lane. */
 typedef struct SIMD_ALIGNED parts {
     float diffuse[BATCH_MAX];    /* factor of the pigment */
@@ -10,8 +12,50 @@ typedef struct SIMD_ALIGNED parts {
     float red[BATCH_MAX], green[BATCH_MAX], blue[BATCH_MAX];   /* ... and their colour */
     double half_cos[BATCH_MAX];  /* between the normal and the direction half path_cos between light and ray */
     double base[BATCH_MAX], raised[BATCH_MAX];
-    uint32_t odd[BATCH_MAX];
+    uint32_t shines[BATCH_MAX], odd[BATCH_MAX];
 } parts;
+
+/* ---- whole powers ---- */
+
+SIMD_CLONES static void square(double *restrict x, uint32_t n)
+{
+    for (uint32_t i = 0; i < n; i++)
+        x[i] *= x[i];
+}
+
+SIMD_CLONES static void multiply(double *restrict x, const double *restrict by, uint32_t n)
+{
+    for (uint32_t i = 0; i < n; i++)
+        x[i] *= by[i];
+}
+
+SIMD_CLONES static void find_products(const double *restrict base, const int64_t *restrict power, uint32_t n, double *restrict out)
+{
+    for (uint32_t i = 0; i < n; i++)
+        out[i] = highlight_product(base[i], power[i], false);
+}
+
+/* The same factors for one power of all lanes, and none that are 1. */
+static void find_alike(double *base, int64_t power, uint32_t n, double *out)
+{
+    for (; !(power & 1); power >>= 1)
+        square(base, n);
+    memcpy(out, base, n * sizeof *out);
+    while (power >>= 1) {
+        square(base, n);
+        if (power & 1)
+            multiply(out, base, n);
+    }
+}
+
+/* Raise the bases, which are lost, by products: see highlight_product(). */
+static void raise_whole(parts *p, const finishes *f, const int64_t *power, uint32_t n)
+{
+    if (f->held && power[0] > 0 && power[0] <= APPEARANCE_POWER_LANES)
+        find_alike(p->base, power[0], n, p->raised);
+    else
+        find_products(p->base, power, n, p->raised);
+}
 
 /* ---- diffuse light ---- */
 
@@ -30,20 +74,32 @@ SIMD_CLONES static void diffuse_plain(parts *restrict p, const finishes *restric
         p->diffuse[i] = diffuse_by(f, back, i, cosines[i]) * (float)fabs(cosines[i]);
 }
 
-/* Whole powers, and the cosine itself, by their product; `odd` lanes are left. */
-SIMD_CLONES static uint32_t diffuse_products(parts *restrict p, const finishes *restrict f, const double *restrict cosines, uint32_t n)
+SIMD_CLONES static void find_sizes(const double *restrict cosines, uint32_t n, double *restrict out)
+{
+    for (uint32_t i = 0; i < n; i++)
+        out[i] = fabs(cosines[i]);
+}
+
+/* The cosine itself, and whole powers of it by their product; `odd` lanes are left. */
+SIMD_CLONES static uint32_t take_courses(parts *restrict p, const finishes *restrict f, const double *restrict cosines, uint32_t n)
 {
     uint32_t odd = 0;
 
     for (uint32_t i = 0; i < n; i++) {
-        const double size = fabs(cosines[i]), product = highlight_product(size, f->rich.course[i], true);
-        const float lo = highlight_lo(product), hi = highlight_hi(product);
+        const float lo = highlight_lo(p->raised[i]), hi = highlight_hi(p->raised[i]);
 
         p->odd[i] = (f->rich.course[i] != 1) & ((f->rich.course[i] == 0) | !(lo == hi));
         odd |= p->odd[i];
-        p->diffuse[i] = diffuse_by(f, f->rich.back_weight, i, cosines[i]) * (f->rich.course[i] == 1 ? (float)size : lo);
+        p->diffuse[i] = diffuse_by(f, f->rich.back_weight, i, cosines[i]) * (f->rich.course[i] == 1 ? (float)fabs(cosines[i]) : lo);
     }
     return odd;
+}
+
+static uint32_t diffuse_products(parts *p, const finishes *f, const double *cosines, uint32_t n)
+{
+    find_sizes(cosines, n, p->base);
+    raise_whole(p, f, f->rich.course, n);
+    return take_courses(p, f, cosines, n);
 }
 
 SIMD_CLONES static void diffuse_powers(parts *restrict p, const finishes *restrict f, const double *restrict cosines, uint32_t n)
@@ -98,24 +154,39 @@ static inline bool is_lit_side(const rich_finishes *r, uint32_t i, double cosine
 
 static inline float least_of(float a, float b) { return a < b ? a : b; }
 
-/* As in brdf.c; the highlights of `odd` lanes are to be computed by their powers. */
-SIMD_CLONES static uint32_t phong_plain(parts *restrict p, const finishes *restrict f, const light_sample *restrict s, uint32_t n)
+/* As in brdf.c. */
+SIMD_CLONES static void find_shining(parts *restrict p, const finishes *restrict f, const light_sample *restrict s, uint32_t n)
+{
+    for (uint32_t i = 0; i < n; i++) {
+        const double cosine = s->specular_cos[i];
+        const float d = p->diffuse[i], least = least_of(fabsf(f->red[i] * d), least_of(fabsf(f->green[i] * d), fabsf(f->blue[i] * d)));
+
+        p->shines[i] = is_lit_side(&f->rich, i, s->cosine[i]) & (cosine > 0.0) & (f->rich.phong[i] != 0.0f) &
+                       !((cosine <= f->highlight_cutoff[i]) & (least >= APPEARANCE_VISIBLE));
+        p->base[i] = p->shines[i] ? cosine : 0.0;
+    }
+}
+
+/* The highlights of `odd` lanes are to be computed by their powers. */
+SIMD_CLONES static uint32_t take_products(parts *restrict p, const finishes *restrict f, uint32_t n)
 {
     uint32_t odd = 0;
 
     for (uint32_t i = 0; i < n; i++) {
-        const double cosine = s->specular_cos[i];
-        const float d = p->diffuse[i], least = least_of(fabsf(f->red[i] * d), least_of(fabsf(f->green[i] * d), fabsf(f->blue[i] * d)));
-        const bool shines = is_lit_side(&f->rich, i, s->cosine[i]) & (cosine > 0.0) & (f->rich.phong[i] != 0.0f) &
-                            !((cosine <= f->highlight_cutoff[i]) & (least >= APPEARANCE_VISIBLE));
-        const double product = highlight_product(shines ? cosine : 0.0, f->power[i], false);
-        const float lo = highlight_lo(product), hi = highlight_hi(product);
+        const float lo = highlight_lo(p->raised[i]), hi = highlight_hi(p->raised[i]);
 
-        p->odd[i] = shines & !((lo == hi) & (f->power[i] > 0) & (f->power[i] <= APPEARANCE_POWER_LANES));
+        p->odd[i] = p->shines[i] & !((lo == hi) & (f->power[i] > 0) & (f->power[i] <= APPEARANCE_POWER_LANES));
         odd |= p->odd[i];
-        p->phong[i] = shines ? f->rich.phong[i] * lo : 0.0f;
+        p->phong[i] = p->shines[i] ? f->rich.phong[i] * lo : 0.0f;
     }
     return odd;
+}
+
+static uint32_t phong_products(parts *p, const finishes *f, const light_sample *s, uint32_t n)
+{
+    find_shining(p, f, s, n);
+    raise_whole(p, f, f->power, n);
+    return take_products(p, f, n);
 }
 
 /* In a loop of its own: compilers that know the bounds of the base do not vectorise it. */
@@ -139,22 +210,14 @@ static void phong_powers(parts *p, const finishes *f, const light_sample *s, uin
     take_phong(p, f, n);
 }
 
-static inline void set_half(parts *p, const light_sample *s, const geometry *g, uint32_t i, pov_vec3 to_light)
-{
-    const pov_vec3 half = pov_sub(to_light, lanes_at(&g->view, i));
-    const double square = pov_dot(half, half), cosine = s->cosine[i] + g->cosine[i];
-
-    p->half_cos[i] = square > 0.0 ? fabs(cosine) / sqrt(square) : 0.0;
-}
-
-SIMD_CLONES static void find_halves(parts *restrict p, const light_sample *restrict s, const geometry *restrict g,
-                                    const vec_lanes *restrict dir, uint32_t n)
+SIMD_CLONES static void find_halves(parts *restrict p, const light_sample *restrict s, const geometry *restrict g, uint32_t n)
 {
     for (uint32_t i = 0; i < n; i++) {
-        pov_vec3 unit;
+        const pov_vec3 half = pov_sub(lanes_at(&s->unit, i), lanes_at(&g->view, i));
+        const double square = pov_dot(half, half), cosine = s->cosine[i] + g->cosine[i];
+        const double half_cos = square > 0.0 ? fabs(cosine) / sqrt(square) : 0.0;
 
-        geometry_unit(dir->x[i], dir->y[i], dir->z[i], &unit);
-        set_half(p, s, g, i, unit);
+        p->half_cos[i] = p->base[i] = half_cos < 1.0 ? half_cos : 1.0;
     }
 }
 
@@ -167,11 +230,10 @@ SIMD_CLONES static uint32_t specular_plain(parts *restrict p, const finishes *re
 
     for (uint32_t i = 0; i < n; i++) {
         const bool shines = is_lit_side(&f->rich, i, s->cosine[i]) & (f->rich.specular[i] != 0.0f);
-        const double half_cos = p->half_cos[i] < 1.0 ? p->half_cos[i] : 1.0;
 
         p->odd[i] = shines & (f->rich.whole[i] == 0);
         odd |= p->odd[i];
-        p->specular[i] = shines ? f->rich.specular[i] * visible(highlight_product(half_cos, f->rich.whole[i], false)) : 0.0f;
+        p->specular[i] = shines ? f->rich.specular[i] * visible(p->raised[i]) : 0.0f;
     }
     return odd;
 }
@@ -184,31 +246,17 @@ SIMD_CLONES static void take_specular(parts *restrict p, const finishes *restric
 
 static void specular_powers(parts *p, const finishes *f, uint32_t n)
 {
-    for (uint32_t i = 0; i < n; i++)
-        p->base[i] = p->half_cos[i] < 1.0 ? p->half_cos[i] : 1.0;
+    memcpy(p->base, p->half_cos, n * sizeof *p->base);
     raise(p, f->rich.sharpness, n);
     take_specular(p, f, n);
 }
 
-static void find_specular(parts *p, const finishes *f, const light_sample *s, const vec_lanes *dir, uint32_t n)
+static void find_specular(parts *p, const finishes *f, const light_sample *s, uint32_t n)
 {
-    const geometry *g = &f->on->geometry;
-
-    if (s->odd_dirs)
-        for (uint32_t i = 0; i < n; i++)
-            set_half(p, s, g, i, pov_unit(lanes_at(dir, i)));
-    else
-        find_halves(p, s, g, dir, n);
+    find_halves(p, s, &f->on->geometry, n);
+    raise_whole(p, f, f->rich.whole, n);
     if (specular_plain(p, f, s, n))
         specular_powers(p, f, n);
-}
-
-SIMD_CLONES static void no_highlights(parts *restrict p, uint32_t n)
-{
-    for (uint32_t i = 0; i < n; i++) {
-        p->phong[i] = p->specular[i] = 0.0f;
-        p->red[i] = p->green[i] = p->blue[i] = 1.0f;
-    }
 }
 
 SIMD_CLONES static void dye(parts *restrict p, const finishes *restrict f, const double *restrict loss, uint32_t n)
@@ -233,30 +281,49 @@ static void metal(parts *p, const finishes *f, const double *cosines, bool fresn
     dye(p, f, loss, n);
 }
 
-static void highlights(parts *p, const finishes *f, const model *m, const light_sample *s, const vec_lanes *dir, uint32_t n)
+static void highlights(parts *p, const finishes *f, const model *m, const light_sample *s, uint32_t n)
 {
-    if (f->has_phong && phong_plain(p, f, s, n))
+    if (f->has_phong && phong_products(p, f, s, n))
         phong_powers(p, f, s, n);
     if (f->kinds & FINISH_SPECULAR)
-        find_specular(p, f, s, dir, n);
+        find_specular(p, f, s, n);
     if (f->kinds & FINISH_METAL)
         metal(p, f, s->cosine, m->fresnel_metallic, n);
 }
 
 /* ---- all together ---- */
 
-SIMD_CLONES static void sum(light_sample *restrict s, const parts *restrict p, const finishes *restrict f,
-                            const light_lanes *restrict in, uint32_t n)
+/* glossy, dyed: there are highlights, and not all are white. */
+static inline void sum_lanes(light_sample *restrict s, const parts *restrict p, const finishes *restrict f,
+                             const light_lanes *restrict in, uint32_t n, bool glossy, bool dyed)
 {
     for (uint32_t i = 0; i < n; i++) {
-        const float strength = p->phong[i] + p->specular[i], d = p->diffuse[i];
+        const float strength = glossy ? p->phong[i] + p->specular[i] : 0.0f, d = p->diffuse[i];
         const float red = in->uniform ? in->color.r : in->red[i], green = in->uniform ? in->color.g : in->green[i];
         const float blue = in->uniform ? in->color.b : in->blue[i];
 
-        s->red[i] = red * (f->red[i] * d + p->red[i] * strength);
-        s->green[i] = green * (f->green[i] * d + p->green[i] * strength);
-        s->blue[i] = blue * (f->blue[i] * d + p->blue[i] * strength);
+        s->red[i] = red * (f->red[i] * d + (dyed ? p->red[i] * strength : strength));
+        s->green[i] = green * (f->green[i] * d + (dyed ? p->green[i] * strength : strength));
+        s->blue[i] = blue * (f->blue[i] * d + (dyed ? p->blue[i] * strength : strength));
     }
+}
+
+SIMD_CLONES static void sum_dyed(light_sample *restrict s, const parts *restrict p, const finishes *restrict f,
+                                 const light_lanes *restrict in, uint32_t n)
+{
+    sum_lanes(s, p, f, in, n, true, true);
+}
+
+SIMD_CLONES static void sum_white(light_sample *restrict s, const parts *restrict p, const finishes *restrict f,
+                                  const light_lanes *restrict in, uint32_t n)
+{
+    sum_lanes(s, p, f, in, n, true, false);
+}
+
+SIMD_CLONES static void sum_matt(light_sample *restrict s, const parts *restrict p, const finishes *restrict f,
+                                 const light_lanes *restrict in, uint32_t n)
+{
+    sum_lanes(s, p, f, in, n, false, false);
 }
 
 /* A thin film: waves reflected at both its faces add up or cancel out. */
@@ -298,10 +365,18 @@ void brdf_reflect_rich(const finishes *f, const model *m, light_sample *s, const
     parts p;
 
     diffuse(&p, f, back, s, &in->dir, n);
-    no_highlights(&p, n);
+    if (!f->has_phong)
+        memset(p.phong, 0, n * sizeof *p.phong);
+    if (!(f->kinds & FINISH_SPECULAR))
+        memset(p.specular, 0, n * sizeof *p.specular);
     if (glossy)
-        highlights(&p, f, m, s, &in->dir, n);
-    sum(s, &p, f, in, n);
+        highlights(&p, f, m, s, n);
+    if (glossy && (f->kinds & FINISH_METAL))
+        sum_dyed(s, &p, f, in, n);
+    else if (glossy)
+        sum_white(s, &p, f, in, n);
+    else
+        sum_matt(s, &p, f, in, n);
     if (f->kinds & FINISH_IRID)
         brdf_films(f, m, s, n);
     find_contributions(s, back, n);
