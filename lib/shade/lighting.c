@@ -1,5 +1,6 @@
 #include "shade/lighting.h"
 
+#include "base/lane_mask.h"
 #include "shade/area_light.h"
 #include "shade/photon_light.h"
 #include "shade/photons.h"
@@ -32,26 +33,51 @@ void lighting_put_rays(lighting *l)
     }
 }
 
-/* Collect rays from lit surfaces that face the light and reflect any of it, without unpredictable branches. Returns the
- * number of surfaces that face the light. */
-static uint32_t aim(lighting *l, const finishes *f, const light_sample *s)
+/* The lit surfaces. */
+static uint64_t lit_of(const finishes *f)
 {
-    const size_t lit_count = f->count;
-    uint32_t front = 0;
-    size_t count = 0;
+    uint64_t lit = 0;
 
-    for (size_t k = 0; k < lit_count; k++) {
-        const size_t i = f->lit[k];
-
-        l->of[count] = (uint8_t)i;
-        front += s->front[i];
-        count += s->contributes[i];
-    }
-    l->count = (uint32_t)count;
-    return front;
+    if (f->count == f->on->count)
+        return lane_mask_all(f->count);
+    for (uint32_t k = 0; k < f->count; k++)
+        lit |= (uint64_t)1 << f->lit[k];
+    return lit;
 }
 
-static inline void add_light(surface *s, colour given) { s->lit = colour_add(s->lit, given); }
+/* Lit surfaces that reflect any of the light. Counts those that do not. */
+static uint64_t contributing(lighting *l, const finishes *f, const light_sample *s)
+{
+    const uint64_t lit = lit_of(f), front = lit & lane_mask_of(s->front, f->on->count), out = lit & lane_mask_of(s->contributes, f->on->count);
+
+    l->context->counts.shadow_behind += lane_mask_count(lit & ~front);
+    l->context->counts.shadow_idle += lane_mask_count(front) - lane_mask_count(out);
+    return out;
+}
+
+/* The origin surfaces of rays to the light, given as bits. */
+static uint64_t lanes_of(const lighting *l, uint64_t rays)
+{
+    uint64_t out = 0;
+
+    if (l->count == l->on->count)
+        return rays;
+    for (; rays; rays &= rays - 1)
+        out |= (uint64_t)1 << l->of[first_of64(rays)];
+    return out;
+}
+
+/* Add what some lanes reflect. */
+SIMD_CLONES static void add_lanes(const light_sample *restrict s, uint64_t lanes, uint32_t n, colour_lanes *restrict to)
+{
+    for (uint32_t i = 0; i < n; i++) {
+        const bool adds = lanes >> i & 1;
+
+        to->red[i] += adds ? s->red[i] : 0.0f;
+        to->green[i] += adds ? s->green[i] : 0.0f;
+        to->blue[i] += adds ? s->blue[i] : 0.0f;
+    }
+}
 
 /* Does nothing stand in the way of this light? */
 static bool is_free(const lighting *l, const light *from)
@@ -64,8 +90,8 @@ static uint64_t trace(lighting *l, const scene_light *from, const light_lanes *i
 {
     const light_origin origin = light_own_origin(from->light);
 
-    if (!from->grid && shadow_is_by_lane(l, from->light))
-        return shadow_trace_lanes(l, shadow_end(from, in, &origin, false), through);
+    if (shadow_is_by_lane(l, from))
+        return shadow_trace_lanes(l, shadow_end(from, in, &origin, false));
     lighting_put_rays(l);
     return from->grid ? area_trace(l, from, in, through)
                       : shadow_trace(l, from->light, shadow_end(from, in, &origin, false), through);
@@ -73,20 +99,23 @@ static uint64_t trace(lighting *l, const scene_light *from, const light_lanes *i
 
 static void add_visible(lighting *l, const scene_light *from, const light_sample *s, const light_lanes *in)
 {
+    const uint32_t n = lanes_whole(l->on->count);
     colour through[BATCH_MAX];
+    uint64_t rays;
 
     l->dir = &in->dir;
     if (is_free(l, from->light) && from->light->through_count > 0)
         shadow_keep_crossing(l, from->light, in->tmax);
-    if (is_free(l, from->light))
-        for (uint32_t i = 0; i < l->count; i++)
-            add_light(&l->on->at[l->of[i]], brdf_at(s, l->of[i]));
-    else
-        for (uint64_t lit = trace(l, from, in, through); lit; lit &= lit - 1) {
-            const uint32_t i = first_of64(lit);
+    rays = is_free(l, from->light) ? lane_mask_all(l->count) : trace(l, from, in, through);
+    if (is_free(l, from->light) || shadow_is_white(l, from)) {
+        add_lanes(s, lanes_of(l, rays), n, &l->on->lit);
+        return;
+    }
+    for (; rays; rays &= rays - 1) {
+        const uint32_t k = first_of64(rays);
 
-            add_light(&l->on->at[l->of[i]], colour_mul(brdf_at(s, l->of[i]), through[i]));
-        }
+        colour_lane_add(&l->on->lit, l->of[k], colour_mul(brdf_at(s, l->of[k]), through[k]));
+    }
 }
 
 /* The light of one source where it arrives at the lit surfaces. True: the rays' origins have been named for it alone;
@@ -126,16 +155,13 @@ static void add_light_source(lighting *l, const scene_light *from)
     shade_context *c = l->context;
     light_sample s;
     light_lanes in;
-    uint32_t front;
     bool named;
 
     if (l->photons)
         photons_aim(c, (size_t)(from - c->scene->lights));
     named = arrive(l, from, &s, &in);
     reflect(l, from, &l->finishes, &s, &in);
-    front = aim(l, &l->finishes, &s);
-    c->counts.shadow_behind += l->finishes.count - front;
-    c->counts.shadow_idle += front - l->count;
+    l->count = lane_mask_list(contributing(l, &l->finishes, &s), l->of);
     if (l->count > 0)
         add_visible(l, from, &s, &in);
     if (named)
@@ -150,6 +176,7 @@ static void begin(lighting *l, shade_context *c, surfaces *on)
     l->on = on;
     l->glossy = on->count == 0 || on->at[0].from->gathers == 0;   /* paths of a batch have the same history */
     l->begun = l->named = false;
+    memset(&on->lit, 0, sizeof on->lit);
     brdf_begin(&l->finishes, c->scene->model, on, 0);
 }
 
@@ -265,8 +292,8 @@ static void gather_some(lighting *l, const shading *scene)
         offer_light(l, k, &drawn);
     }
     for (uint32_t k = 0; k < count; k++) {
-        before[k] = l->on->at[all[k]].lit;
-        l->on->at[all[k]].lit = colour_of(0.0f, 0.0f, 0.0f);
+        before[k] = colour_lane(&l->on->lit, all[k]);
+        colour_lane_put(&l->on->lit, all[k], colour_of(0.0f, 0.0f, 0.0f));
     }
     for (uint32_t k = 0; k < scene->light_count; k++) {
         if (l->context->failed || interrupt_is_due(&l->context->interrupt, count))
@@ -276,10 +303,9 @@ static void gather_some(lighting *l, const shading *scene)
             add_light_source(l, &scene->lights[k]);
     }
     for (uint32_t k = 0; k < count; k++) {
-        surface *s = &l->on->at[all[k]];
         const double by = drawn.won[all[k]] > 0.0 ? drawn.sum[all[k]] / drawn.won[all[k]] : 0.0;
 
-        s->lit = colour_add(before[k], colour_scale(s->lit, (float)by));
+        colour_lane_put(&l->on->lit, all[k], colour_add(before[k], colour_scale(colour_lane(&l->on->lit, all[k]), (float)by)));
     }
 }
 
@@ -309,99 +335,60 @@ void light_gather(lighting *l, shade_context *c, surfaces *on)
 
 /* ---- stacks ---- */
 
-/* What is known of the rays to one light, by lane: those that were asked, those not occluded (1), and what they leave of it. */
-typedef struct known_rays { uint64_t asked; uint32_t open[BATCH_MAX]; colour_lanes through; } known_rays;
+/* What is known of the rays to one light, by lane: those that were asked, those not occluded, and what they leave of it, unless that is all. */
+typedef struct known_rays { uint64_t asked, open; bool white; colour_lanes through; } known_rays;
 
-/* Collect rays from surfaces whose layer reflects any of the light, but for those that were asked. */
-static void aim_others(lighting *l, const finishes *f, const light_sample *s, known_rays *known)
-{
-    uint32_t front = 0, contributing = 0;
-
-    l->count = 0;
-    for (uint32_t k = 0; k < f->count; k++) {
-        const uint32_t i = f->lit[k];
-
-        front += s->front[i];
-        contributing += s->contributes[i];
-        if (!s->contributes[i] || (known->asked >> i & 1))
-            continue;
-        known->asked |= (uint64_t)1 << i;
-        l->of[l->count++] = (uint8_t)i;
-    }
-    l->context->counts.shadow_behind += f->count - front;
-    l->context->counts.shadow_idle += front - contributing;
-}
-
-static void ask(lighting *l, const scene_light *from, const light_lanes *in, known_rays *known)
+/* Ask the rays from these surfaces, but for those that were asked. */
+static void ask(lighting *l, const scene_light *from, const light_lanes *in, uint64_t lanes, known_rays *known)
 {
     colour through[BATCH_MAX];
+    uint64_t rays;
 
-    for (uint64_t lit = l->count > 0 ? trace(l, from, in, through) : 0; lit; lit &= lit - 1) {
-        const uint32_t lane = l->of[first_of64(lit)];
+    l->count = lane_mask_list(lanes & ~known->asked, l->of);
+    known->asked |= lanes;
+    if (l->count == 0)
+        return;
+    rays = trace(l, from, in, through);
+    known->open |= lanes_of(l, rays);
+    for (; rays && !known->white; rays &= rays - 1)
+        colour_lane_put(&known->through, l->of[first_of64(rays)], through[first_of64(rays)]);
+}
 
-        const colour left = through[first_of64(lit)];
-
-        known->through.red[lane] = left.r;
-        known->through.green[lane] = left.g;
-        known->through.blue[lane] = left.b;
-        known->open[lane] = 1;
+/* Add what a layer reflects of light that is left. */
+static void add_left(const lighting *l, const light_sample *s, uint64_t lanes, const known_rays *known, colour_lanes *to)
+{
+    if (known->white) {
+        add_lanes(s, lanes, lanes_whole(l->on->count), to);
+        return;
     }
-}
+    for (; lanes; lanes &= lanes - 1) {
+        const uint32_t i = first_of64(lanes);
 
-/* Light that reaches all, unless `known` says what reaches each. */
-static void begin_known(known_rays *known, bool free, uint32_t n)
-{
-    known->asked = 0;
-    for (uint32_t i = 0; i < n; i++) {
-        known->open[i] = free;
-        known->through.red[i] = known->through.green[i] = known->through.blue[i] = 1.0f;
-    }
-}
-
-/* 1: the surface is lit. */
-static void find_lit(const finishes *f, uint32_t n, uint32_t *out)
-{
-    for (uint32_t i = 0; i < n; i++)
-        out[i] = f->count == f->on->count && i < f->count;
-    for (uint32_t k = 0; f->count < f->on->count && k < f->count; k++)
-        out[f->lit[k]] = 1;
-}
-
-/* Add what a layer reflects. Lanes that are not lit are left as they are. */
-SIMD_CLONES static void add_lanes(const light_sample *restrict s, const known_rays *restrict known, const uint32_t *restrict is_lit, uint32_t n,
-                                  colour_lanes *restrict to)
-{
-    for (uint32_t i = 0; i < n; i++) {
-        const uint32_t adds = is_lit[i] & s->contributes[i] & known->open[i];
-        const float r = s->red[i] * known->through.red[i], g = s->green[i] * known->through.green[i], b = s->blue[i] * known->through.blue[i];
-
-        to->red[i] += adds ? r : 0.0f;
-        to->green[i] += adds ? g : 0.0f;
-        to->blue[i] += adds ? b : 0.0f;
+        colour_lane_add(to, i, colour_mul(brdf_at(s, i), colour_lane(&known->through, i)));
     }
 }
 
 static void add_to_layers(lighting *l, const scene_light *from, lit_stacks *to)
 {
     shade_context *c = l->context;
-    uint32_t is_lit[BATCH_MAX];
     known_rays known;
     light_sample s;
     light_lanes in;
     const bool named = arrive(l, from, &s, &in), free = is_free(l, from->light);
-    const uint32_t n = lanes_whole(l->on->count);
 
-    begin_known(&known, free, n);
+    known.asked = 0;
+    known.open = free ? ~(uint64_t)0 : 0;
+    known.white = free || shadow_is_white(l, from);
     l->dir = &in.dir;
     for (uint32_t k = 0; k < to->levels; k++) {
         const finishes *f = &to->finishes[k];
+        uint64_t lanes;
 
         reflect(l, from, f, &s, &in);
-        aim_others(l, f, &s, &known);
+        lanes = contributing(l, f, &s);
         if (!free)
-            ask(l, from, &in, &known);
-        find_lit(f, n, is_lit);
-        add_lanes(&s, &known, is_lit, n, &to->lit[k]);
+            ask(l, from, &in, lanes, &known);
+        add_left(l, &s, lanes & known.open, &known, &to->lit[k]);
     }
     if (named)
         shadow_name_origins(l, NULL);
@@ -432,14 +419,10 @@ static void begin_stacks(lighting *l, shade_context *c, surfaces *on, lit_stacks
 
         brdf_begin(f, c->scene->model, on, k);
         l->finishes.kinds |= f->kinds;
-        if (f->count > 0 && f->count == on->count)
-            lit = ~(uint64_t)0 >> (BATCH_MAX - on->count);
-        for (uint32_t i = 0; f->count < on->count && i < f->count; i++)
-            lit |= (uint64_t)1 << f->lit[i];
+        lit |= lit_of(f);
         memset(&out->lit[k], 0, sizeof out->lit[k]);
     }
-    for (; lit; lit &= lit - 1)
-        l->finishes.lit[l->finishes.count++] = (uint8_t)first_of64(lit);
+    l->finishes.count = lane_mask_list(lit, l->finishes.lit);
 }
 
 void light_gather_stacks(lighting *l, shade_context *c, surfaces *on, lit_stacks *out)

@@ -25,10 +25,6 @@ typedef struct lighting {
                                   * BATCH_MAX rays that is unused until all lights are done */
 } lighting;
 
-typedef struct SIMD_ALIGNED colour_lanes { float red[BATCH_MAX], green[BATCH_MAX], blue[BATCH_MAX]; } colour_lanes;
-
-static inline colour colour_lane(const colour_lanes *l, uint32_t i) { return colour_of(l->red[i], l->green[i], l->blue[i]); }
-
 /* Stacks of layers that are lit at one hit, and what each of their layers reflects, by lane. */
 typedef struct lit_stacks {
     finishes finishes[STACK_LEVELS];
@@ -48,7 +44,7 @@ static inline light_points lighting_points(const lighting *l)
 /* Put the starts of rays; those of one light, with their directions. */
 void lighting_begin_rays(lighting *l);
 void lighting_put_rays(lighting *l);
-/* Add diffuse light and highlights of all visible lights to `lit` of each surface. */
+/* Find diffuse light and highlights of all visible lights: `lit` of the surfaces. */
 void light_gather(lighting *l, shade_context *c, surfaces *on);
 /* The same, where some are flat stacks, to each of their layers. */
 void light_gather_stacks(lighting *l, shade_context *c, surfaces *on, lit_stacks *out);

@@ -133,7 +133,7 @@ void photon_light_add(photon_work *w, const shade_context *c, const finishes *li
 
     for (uint32_t k = 0; k < lit->count; k++) {
         const uint32_t i = lit->lit[k];
-        surface *s = &on->at[i];
+        const surface *s = &on->at[i];
         const photon_map *map = &w->maps[s->from->lane]->of[PHOTON_ON];
         const photon_view *view = &w->views[s->from->lane];
         const uint32_t solid = shading_solid(c->scene, s->at->object);
@@ -142,6 +142,6 @@ void photon_light_add(photon_work *w, const shade_context *c, const finishes *li
         if (map->node_count == 0 || (model_leaf(m, s->at->object)->flags & PHOTON_IGNORES))
             continue;
         given = is_plain(s->appearance) ? light_plain(map, view, on, i, solid) : light_rich(&w->lanes, m, map, view, on, i, solid);
-        s->lit = colour_add(s->lit, given);
+        colour_lane_add(&on->lit, i, given);
     }
 }

@@ -79,12 +79,17 @@ static uint64_t trace(const lighting *l, segment_end end, colour *through)
 
 /* ---- by lane ---- */
 
-bool shadow_is_by_lane(const lighting *l, const light *from)
+bool shadow_is_white(const lighting *l, const scene_light *from)
 {
     const shade_context *c = l->context;
 
-    return l->count == l->on->count && !l->sides && !l->on->shared && from->through_count == 0 && !(from->flags & LIGHT_ATTENUATED) &&
-           c->coincident_sets.count == 0 && !c->scene->plan->coloured_shadows;
+    return !from->grid && from->light->through_count == 0 && !(from->light->flags & LIGHT_ATTENUATED) && c->coincident_sets.count == 0 &&
+           !c->scene->plan->coloured_shadows;
+}
+
+bool shadow_is_by_lane(const lighting *l, const scene_light *from)
+{
+    return l->count == l->on->count && !l->sides && !l->on->shared && shadow_is_white(l, from);
 }
 
 /* As world_origin_reflect() names them, and ray_soa_excluded(). */
@@ -108,14 +113,14 @@ static const pov_ray *const *make_rays(void *user)
     return l->rays;
 }
 
-uint64_t shadow_trace_lanes(lighting *l, segment_end end, colour *through)
+uint64_t shadow_trace_lanes(lighting *l, segment_end end)
 {
     const incidence *at = &l->on->geometry.to;
     const lane_rays rays = { { &at->point, &at->point_lo, l->dir, l->excluded }, l->origin, make_rays, l };
 
     name_lanes(l);
     l->context->counts.shadow += l->count;
-    return transmittance_find_lanes(l->context, &rays, l->count, end, through);
+    return transmittance_find_lanes(l->context, &rays, l->count, end);
 }
 
 /* ---- through other objects, and in the air ---- */

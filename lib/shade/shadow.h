@@ -7,9 +7,12 @@
 
 /* The rays to one point of a light source that are not occluded. */
 uint64_t shadow_trace(lighting *l, const light *from, segment_end end, colour *through);
-/* Can the rays be asked for by lane, so that records of them are made only where something needs them? Those of all surfaces can. */
-bool shadow_is_by_lane(const lighting *l, const light *from);
-uint64_t shadow_trace_lanes(lighting *l, segment_end end, colour *through);
+/* Is all of the light left where a ray is not occluded? */
+bool shadow_is_white(const lighting *l, const scene_light *from);
+/* Can the rays be asked for by lane, so that records of them are made only where something needs them? Those of all surfaces can,
+ * to such a light. */
+bool shadow_is_by_lane(const lighting *l, const scene_light *from);
+uint64_t shadow_trace_lanes(lighting *l, segment_end end);
 /* Of the rays to one point of a light those that cross what it is projected through: all that hides a light without shadows.
  * `rays` is not kept. */
 void shadow_keep_crossing(lighting *l, const light *from, double tmax);

@@ -313,7 +313,7 @@ static colour scattered_once(const search *s, double cosine)
 static void light_surface(shade_context *c, surfaces *on, uint32_t i)
 {
     const geometry *g = &on->geometry;
-    surface *s = &on->at[i];
+    const surface *s = &on->at[i];
     const sample_id *id = &c->samples[s->from->lane];
     search f = { .context = c, .from = s, .in = below_of(c->scene, s) };
     double out;
@@ -323,7 +323,7 @@ static void light_surface(shade_context *c, surfaces *on, uint32_t i)
         probe(&f, k, random_point(id, (uint32_t)k, PROBES, PURPOSE + s->from->branch));
     f.sum = colour_add(f.sum, scattered_once(&f, fabs(g->cosine[i])));
     out = entering(f.in.ior, fabs(g->cosine[i]));
-    s->lit = colour_add(s->lit, colour_scale(f.sum, (float)out));
+    colour_lane_add(&on->lit, i, colour_scale(f.sum, (float)out));
     c->failed = c->failed || query_context_failed(c->context);
 }
 

@@ -93,7 +93,6 @@ static inline bool is_kept(shade_context *c, const batch *b, surface *s, bool sp
 
     if (s->at->coincident && !s->coincident)
         find_coincident(c, s);
-    s->lit = colour_of(0.0f, 0.0f, 0.0f);
     s->appearance = a;
     if (special && c->photons_fly)
         return true;

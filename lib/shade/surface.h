@@ -14,8 +14,18 @@ typedef struct surface {
     const appearance *appearance;
     uint32_t coincident, above, on;   /* it is coincident with others: as in a path; index within the set */
     colour faded;                /* factor of what it transmits or reflects totally; set if light fades in some solid */
-    colour lit;                  /* reflected light of the light sources along the ray */
 } surface;
+
+typedef struct SIMD_ALIGNED colour_lanes { float red[BATCH_MAX], green[BATCH_MAX], blue[BATCH_MAX]; } colour_lanes;
+
+static inline colour colour_lane(const colour_lanes *l, uint32_t i) { return colour_of(l->red[i], l->green[i], l->blue[i]); }
+static inline void colour_lane_put(colour_lanes *l, uint32_t i, colour c)
+{
+    l->red[i] = c.r;
+    l->green[i] = c.g;
+    l->blue[i] = c.b;
+}
+static inline void colour_lane_add(colour_lanes *l, uint32_t i, colour c) { colour_lane_put(l, i, colour_add(colour_lane(l, i), c)); }
 
 /* Surfaces whose reflection depends on the angle, and how, by lane. */
 typedef struct SIMD_ALIGNED reflectances {
@@ -42,6 +52,7 @@ typedef struct surfaces {
     surface at[BATCH_MAX];
     const pov_ray *rays[BATCH_MAX];   /* their rays in the same order, and the hits */
     hit *found[BATCH_MAX];
+    colour_lanes lit;            /* light of the sources that they reflect along the rays, in the same order */
     geometry geometry;           /* their appearances in the same order */
     appearance varying[BATCH_MAX];   /* of surfaces whose texture varies */
     coefficient reflection[BATCH_MAX], filter[BATCH_MAX];   /* what goes on from those of which it depends on the angle */

@@ -142,7 +142,7 @@ static void shade_layers(pov_tracer *t, colour *out)
         for (uint32_t i = 0; i < l->on.count; i++) {
             const surface *s = &l->on.at[i];
 
-            accumulate(s->from, colour_mul(l->of[i].by, colour_add(s->appearance->emitted, s->lit)), out);
+            accumulate(s->from, colour_mul(l->of[i].by, colour_add(s->appearance->emitted, colour_lane(&l->on.lit, i))), out);
         }
         scatter_layers(c, l, &t->queue);
         if (c->scene->plan->radiosity)
@@ -159,7 +159,7 @@ static void shade_surfaces(pov_tracer *t, colour *out)
     t->lighting.own = t->queue.mirrored.items[0]->own;
     light_gather(&t->lighting, c, s);
     for (uint32_t i = 0; i < s->count; i++)
-        accumulate(s->at[i].from, colour_add(s->at[i].appearance->emitted, s->at[i].lit), out);
+        accumulate(s->at[i].from, colour_add(s->at[i].appearance->emitted, colour_lane(&s->lit, i)), out);
     scatter(c, s, &t->queue);
     if (c->scene->plan->radiosity)
         gather_begin(c, s, &t->queue);

@@ -171,15 +171,13 @@ uint64_t transmittance_find(const shade_context *c, const pov_ray *const *rays, 
     return lit;
 }
 
-uint64_t transmittance_find_lanes(const shade_context *c, const lane_rays *rays, uint32_t n, segment_end end, colour *through)
+uint64_t transmittance_find_lanes(const shade_context *c, const lane_rays *rays, uint32_t n, segment_end end)
 {
     occlusion found;
     uint64_t lit = query_occlusion_lanes(c->scene->world, c->context, rays, n, end.tmax, &found);
 
     if (found.near_end)
         lit = find_exactly(c, rays->make(rays->user), end, lit, &found);
-    for (uint32_t i = 0; i < n; i++)
-        through[i] = colour_of(1.0f, 1.0f, 1.0f);
     return lit;
 }
 

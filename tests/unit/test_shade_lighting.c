@@ -68,7 +68,7 @@ static colour light_bent(tiny *s, pov_ray *ray, pov_vec3 n)
     t->lighting.own = t->queue.mirrored.items[0]->own;
     light_gather(&t->lighting, &t->context, &t->surfaces);
     scatter(&t->context, &t->surfaces, &t->queue);
-    return t->surfaces.at[0].lit;
+    return colour_lane(&t->surfaces.lit, 0);
 }
 
 static void diffuse_light_goes_by_the_shading_normal(void **state)
