@@ -134,13 +134,13 @@ uint32_t air_solids_across(const shading *scene, const surface *s)
     return s->at->entering ? before + 1 : before - (before > 0);
 }
 
-void air_add(air_segments *s, path *p, const pov_ray *ray, double t)
+void air_begin(air_segments *s, batch *b, uint32_t first, uint32_t count)
 {
-    const uint32_t i = s->on.count++;
-
-    s->path[i] = p;
-    s->rays[i] = ray;
-    s->on.length[i] = t;
+    s->paths = b->paths + first;
+    s->rays = b->rays + first;
+    s->camera = b->camera;
+    s->first = first;
+    s->on.count = count;
 }
 
 /* Starts and directions of the rays; lanes behind the last one are filled with it. */
@@ -184,7 +184,7 @@ SIMD_CLONES static bool measure_lanes(const vec_lanes *restrict dirs, fog_segmen
 static void join(air_segments *s)
 {
     for (uint32_t i = 0; i < s->on.count; i++) {
-        const double before = s->path[i]->travelled;
+        const double before = s->paths[i].travelled;
 
         lanes_put(&s->on.from, i, pov_sub(lanes_at(&s->on.from, i), pov_scale(lanes_at(&s->on.dir, i), before)));
         s->on.length[i] += before;
@@ -228,7 +228,7 @@ static bool sees_media(const shade_context *c, const path *p)
 SIMD_APART static veil veil_below(shade_context *c, const air_segments *on, uint32_t i, bool bows, bool hazy)
 {
     const segment s = { lanes_at(&on->on.from, i), lanes_at(&on->on.dir, i), on->on.length[i] };
-    const veil v = hazy ? media_veil(c, on->path[i], &s) : clear;
+    const veil v = hazy ? media_veil(c, &on->paths[i], &s) : clear;
 
     return bows ? veil_before(all_rainbows(c->scene, &s), v) : v;
 }
@@ -236,7 +236,7 @@ SIMD_APART static veil veil_below(shade_context *c, const air_segments *on, uint
 /* Fog lies over rainbows, and both over media. There are neither in solids, nor for radiosity, nor before what is not seen. */
 static inline veil veil_of(shade_context *c, const air_segments *on, uint32_t i, bool seen)
 {
-    const path *p = on->path[i];
+    const path *p = &on->paths[i];
     const bool open = seen && p->solids == 0 && p->gathers == 0, bows = open && c->scene->model->rainbows.count > 0;
     const bool hazy = sees_media(c, p);
     const veil below = bows || hazy ? veil_below(c, on, i, bows, hazy) : clear;
@@ -252,33 +252,53 @@ static inline void go_on(path *p, colour by, bool shows)
         p->clear *= colour_grey(by);
 }
 
-/* Where fogs are all there is. */
-static void cross_fogs(const shade_context *c, const air_segments *s, uint64_t seen, colour *out)
+/* Fogs over nothing, as veil_before() has it. False: some is not finite. */
+SIMD_CLONES static bool put_over_nothing(fog_veils *restrict f, uint32_t n)
 {
-    const fog_veils *f = &s->fogs;
+    int finite = 1;
 
-    for (uint32_t i = 0; i < s->on.count; i++) {
-        path *p = s->path[i];
-        const veil v = veil_before(fogs_at(f, i), clear);
+    for (int k = 0; k < 3; k++)
+        for (uint32_t i = 0; i < n; i++) {
+            f->given[k][i] += f->by[k][i] * 0.0f + 0.0f;
+            finite &= fabsf(f->given[k][i]) <= FLT_MAX;
+        }
+    return finite;
+}
 
-        if (!(seen >> i & 1) || p->solids > 0 || p->gathers > 0)
+/* Where fogs are all there is. Camera rays are white, and the first to add to their colours. */
+static void cross_fogs(const shade_context *c, air_segments *s, uint64_t which, colour *out)
+{
+    const bool first = put_over_nothing(&s->fogs, s->on.count) && s->camera && !c->alpha;
+
+    for (; which; which &= which - 1) {
+        const uint32_t i = first_of64(which);
+        path *p = &s->paths[i];
+        const veil v = fogs_at(&s->fogs, i);
+
+        if (p->solids > 0 || p->gathers > 0)
             continue;
+        if (first) {
+            out[p->lane] = v.given;
+            p->factor.by = v.by;
+            continue;
+        }
         accumulate(p, v.given, out);
         go_on(p, v.by, c->alpha != NULL);
     }
 }
 
-void air_cross(shade_context *c, const air_segments *s, uint64_t seen, colour *out)
+void air_cross(shade_context *c, air_segments *s, uint64_t which, uint64_t seen, colour *out)
 {
     if (c->scene->model->rainbows.count == 0 && !c->scene->plan->media) {
-        cross_fogs(c, s, seen, out);
+        cross_fogs(c, s, which & seen, out);
         return;
     }
-    for (uint32_t i = 0; i < s->on.count; i++) {
+    for (; which; which &= which - 1) {
+        const uint32_t i = first_of64(which);
         const veil v = veil_of(c, s, i, seen >> i & 1);
 
-        accumulate(s->path[i], v.given, out);
-        go_on(s->path[i], v.by, c->alpha != NULL);
+        accumulate(&s->paths[i], v.given, out);
+        go_on(&s->paths[i], v.by, c->alpha != NULL);
     }
 }
 
@@ -388,21 +408,10 @@ static void add_sky(const shade_context *c, const batch *b, uint64_t rays, backd
     }
 }
 
-/* The paths that hit nothing, on their way. */
-static void add_endless(const shade_context *c, batch *b, uint64_t rays, air_segments *on)
-{
-    on->on.count = 0;
-    for (; rays; rays &= rays - 1)
-        air_add(on, &b->paths[first_of64(rays)], b->rays[first_of64(rays)], HUGE_VAL);
-    air_measure(c, on);
-}
-
-void air_background(shade_context *c, batch *b, uint64_t rays, colour *out)
+void air_background(shade_context *c, batch *b, uint64_t rays, const air_segments *on, colour *out)
 {
     const model *m = c->scene->model;
     backdrop seen[BATCH_MAX];
-    air_segments on;
-    uint32_t k = 0;
 
     if (!rays)
         return;
@@ -410,12 +419,10 @@ void air_background(shade_context *c, batch *b, uint64_t rays, colour *out)
         seen[first_of64(rest)] = background_of(c, &b->paths[first_of64(rest)]);
     if (m->sky)
         add_sky(c, b, rays, seen);
-    if (c->scene->dims)
-        add_endless(c, b, rays, &on);
-    for (; rays; rays &= rays - 1, k++) {
+    for (; rays; rays &= rays - 1) {
         const uint32_t i = first_of64(rays);
         const path *p = &b->paths[i];
-        const veil v = c->scene->dims ? veil_of(c, &on, k, true) : clear;
+        const veil v = on ? veil_of(c, on, i - on->first, true) : clear;
 
         accumulate(p, colour_add(colour_mul(v.by, seen[i].seen), v.given), out);
         if (c->alpha)

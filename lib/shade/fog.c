@@ -52,19 +52,47 @@ SIMD_CLONES static void find_stepped(const fog *restrict f, const fog_segments *
 typedef struct SIMD_ALIGNED layers_crossed { double from[LANES_MAX], to[LANES_MAX], before[LANES_MAX], after[LANES_MAX]; } layers_crossed;
 
 /* False: they begin at different heights. */
-SIMD_CLONES static bool find_heights(const fog *restrict f, const fog_segments *restrict s, uint32_t n, layers_crossed *restrict out)
+SIMD_CLONES static bool find_starts(const fog *restrict f, const fog_segments *restrict s, uint32_t n, double *restrict height)
 {
     const double first = height_of(f, s, 0);
     int64_t alike = -1;
 
     for (uint32_t i = 0; i < n; i++) {
-        const double height = height_of(f, s, i);
-
-        alike &= height == first ? -1 : 0;
-        out->from[i] = height / f->alt;
-        out->to[i] = (height + slope_of(f, s, i) * s->length[i]) / f->alt;
+        height[i] = height_of(f, s, i);
+        alike &= height[i] == first ? -1 : 0;
     }
     return alike != 0;
+}
+
+SIMD_CLONES static void find_ends(const fog *restrict f, const fog_segments *restrict s, uint32_t n, layers_crossed *restrict at)
+{
+    for (uint32_t i = 0; i < n; i++)
+        at->to[i] = (at->from[i] + slope_of(f, s, i) * s->length[i]) / f->alt;
+}
+
+SIMD_CLONES static void divide(double by, uint32_t n, double *restrict x)
+{
+    for (uint32_t i = 0; i < n; i++)
+        x[i] /= by;
+}
+
+static void fill(double with, uint32_t n, double *out)
+{
+    for (uint32_t i = 0; i < n; i++)
+        out[i] = with;
+}
+
+/* Camera rays begin at one height. False: these do not. */
+static bool find_heights(const fog *f, const fog_segments *s, uint32_t n, layers_crossed *out)
+{
+    const bool alike = find_starts(f, s, n, out->from);
+
+    find_ends(f, s, n, out);
+    if (alike)
+        fill(out->from[0] / f->alt, n, out->from);
+    else
+        divide(f->alt, n, out->from);
+    return alike;
 }
 
 SIMD_CLONES static bool any_above(const double *restrict y, uint32_t n)
@@ -82,16 +110,13 @@ SIMD_CLONES static void find_integrals(const double *restrict y, uint32_t n, dou
         out[i] = layered_integral(y[i]);
 }
 
-/* Camera rays begin at one height, and what stands on the ground is often below the offset. */
+/* What stands on the ground is often below the offset. */
 static void integrate(const double *y, bool alike, uint32_t n, double *out)
 {
-    const double first = layered_integral(y[0]);
-
-    if (!any_above(y, n))
+    if (alike)
+        fill(layered_integral(y[0]), n, out);
+    else if (!any_above(y, n))
         memcpy(out, y, n * sizeof *out);
-    else if (alike)
-        for (uint32_t i = 0; i < n; i++)
-            out[i] = first;
     else
         find_integrals(y, n, out);
 }
@@ -138,12 +163,6 @@ static void find_course(const fog *f, const fog_segments *s, uint32_t n, double 
 }
 
 /* ---- depths ---- */
-
-SIMD_CLONES static void divide(double distance, uint32_t n, double *restrict depth)
-{
-    for (uint32_t i = 0; i < n; i++)
-        depth[i] /= distance;
-}
 
 /* Where it is turbulent the fog is thinner, as POV-Ray has it by the middle of the segment. */
 static void thin(const model *m, const fog *f, const fog_segments *s, double *depth)

@@ -80,14 +80,14 @@ static bool is_unseen(const shading *scene, const path *p, uint32_t object)
     return p->mirrored ? o->no_reflection : o->no_image;
 }
 
-/* Are there photons, surfaces that not all rays see, fog, or samples that neighbours use? */
-static inline bool any_special(const shade_context *c, const batch *b)
+/* Are there photons, surfaces that not all rays see, or samples that neighbours use? */
+static inline bool is_special(const shade_context *c, const batch *b)
 {
-    return c->photons_fly || c->scene->plan->hidden || c->scene->dims || b->reuse;
+    return c->photons_fly || c->scene->plan->hidden || b->reuse;
 }
 
-/* Does the surface need more than its emission? special: see any_special(); a: what it looks like where it is seen. */
-static inline bool is_kept(shade_context *c, const batch *b, surface *s, bool special, const appearance *a, colour *out)
+/* Does the surface need more than its emission? special: see is_special(); a: what it looks like where it is seen. */
+static bool is_kept(shade_context *c, const batch *b, surface *s, bool special, const appearance *a, colour *out)
 {
     const shading *scene = c->scene;
 
@@ -116,52 +116,57 @@ static double distance_of(const surface *s)
     return stays ? 0.0 : s->at->crossing.t;
 }
 
-/* Fog, rainbows and media on the way to the surface. */
-static void dim(shade_context *c, const surface *at, colour *out)
+/* Fog, rainbows and media on the way to the surface, or to nothing (NULL); and what is seen of that. */
+static void cross_air(shade_context *c, batch *b, uint32_t i, const surface *at, colour *out)
 {
     air_segments on;
 
-    if (!c->scene->dims || c->photons_fly)
-        return;
-    on.on.count = 0;
-    air_add(&on, at->from, at->ray, distance_of(at));
+    air_begin(&on, b, i, 1);
+    on.on.length[0] = at ? distance_of(at) : HUGE_VAL;
     air_measure(c, &on);
-    air_cross(c, &on, !is_unseen(c->scene, at->from, at->at->object), out);
+    if (at)
+        air_cross(c, &on, 1, !is_unseen(c->scene, at->from, at->at->object), out);
+    else
+        air_background(c, b, (uint64_t)1 << i, &on, out);
 }
 
-/* The same for all rays that hit something, of which none starts on coincident surfaces. */
-SIMD_NOINLINE static void dim_all(shade_context *c, const surfaces *s, batch *b, uint64_t found, colour *out)
+/* The same for all rays, of which none starts on coincident surfaces. */
+SIMD_APART static void cross_air_all(shade_context *c, const surfaces *s, batch *b, uint64_t found, uint64_t missed, colour *out)
 {
-    uint64_t seen = ~(uint64_t)0;
+    const bool hidden = c->scene->plan->hidden;
+    uint64_t seen = found;
     air_segments on;
 
-    if (!found)
-        return;
-    on.on.count = 0;
-    for (; found; found &= found - 1) {
-        const uint32_t i = first_of64(found);
-
-        if (c->scene->plan->hidden && is_unseen(c->scene, &b->paths[i], s->hits[i].object))
-            seen &= ~((uint64_t)1 << on.on.count);
-        air_add(&on, &b->paths[i], b->rays[i], s->hits[i].crossing.t);
-    }
+    air_begin(&on, b, 0, b->count);
+    for (uint32_t i = 0; i < b->count; i++)
+        on.on.length[i] = HUGE_VAL;
+    for (uint64_t rest = found; rest; rest &= rest - 1)
+        on.on.length[first_of64(rest)] = s->hits[first_of64(rest)].crossing.t;
+    for (uint64_t rest = hidden ? found : 0; rest; rest &= rest - 1)
+        if (is_unseen(c->scene, &b->paths[first_of64(rest)], s->hits[first_of64(rest)].object))
+            seen &= ~(rest & (~rest + 1));
     air_measure(c, &on);
-    air_cross(c, &on, seen, out);
+    if (found)
+        air_cross(c, &on, found, seen, out);
+    air_background(c, b, missed, &on, out);
 }
 
 /* Intersect rays, some of which start on coincident surfaces. */
-static uint32_t find_each(shade_context *c, surfaces *s, batch *b, colour *out)
+static uint32_t find_each(shade_context *c, surfaces *s, batch *b, bool dims, colour *out)
 {
     uint32_t n = 0;
 
     for (uint32_t i = 0; i < b->count; i++) {
+        bool hits;
+
         place(s, &s->at[n], b, i, n);
-        if (hit_single(c, &s->at[n])) {
-            dim(c, &s->at[n], out);
+        hits = hit_single(c, &s->at[n]);
+        if (dims)
+            cross_air(c, b, i, hits ? &s->at[n] : NULL, out);
+        if (hits)
             n += is_kept(c, b, &s->at[n], true, shading_constant(c->scene, s->at[n].at->object), out);
-        } else if (!c->photons_fly) {
-            air_background(c, b, (uint64_t)1 << i, out);
-        }
+        else if (!dims && !c->photons_fly)
+            air_background(c, b, (uint64_t)1 << i, NULL, out);
     }
     return n;
 }
@@ -176,7 +181,7 @@ static void add_background(shade_context *c, batch *b, uint64_t rays, colour *ou
     if (c->photons_fly)
         return;
     if (c->scene->air || c->alpha) {
-        air_background(c, b, rays, out);
+        air_background(c, b, rays, NULL, out);
         return;
     }
     if (!b->camera) {
@@ -216,31 +221,40 @@ static bool are_alike(const surfaces *s)
 
 void surfaces_find(shade_context *c, surfaces *s, batch *b, colour *out)
 {
-    const bool special = any_special(c, b), dims = special && c->scene->dims && !c->photons_fly;
+    const bool special = is_special(c, b), dims = c->scene->dims && !c->photons_fly;
     const names by_name = names_of(c->scene);
     surface *at = s->at;
-    uint64_t found, rest;
+    uint64_t found, missed, rest;
     uint32_t n = 0;
     bool others = false;
 
     if (c->coincident_sets.count > 0 && any_coincident(b)) {
-        s->count = find_each(c, s, b, out);
+        s->count = find_each(c, s, b, dims, out);
         s->alike = are_alike(s);
         return;
     }
     found = query_nearest(c->scene->world, c->context, b->rays, b->count, HUGE_VAL, s->hits);
-    add_background(c, b, ~found & ~(uint64_t)0 >> (BATCH_MAX - b->count), out);
+    missed = ~found & ~(uint64_t)0 >> (BATCH_MAX - b->count);
     if (dims)
-        dim_all(c, s, b, found, out);
+        cross_air_all(c, s, b, found, missed, out);
+    else
+        add_background(c, b, missed, out);
     for (rest = found; rest; rest &= rest - 1) {
         const uint32_t i = first_of64(rest);
 
+        const appearance *a = names_appearance(&by_name, s->hits[i].object);
+
         place(s, at, b, i, n);
-        if (is_kept(c, b, at, special, names_appearance(&by_name, s->hits[i].object), out)) {
-            others |= at->appearance != s->at[0].appearance;
-            at++;
-            n++;
+        at->appearance = a;
+        /* Most surfaces are lit, and then kept. */
+        if (special || !a->lit || s->hits[i].coincident) {
+            if (!is_kept(c, b, at, special, a, out))
+                continue;
+            a = at->appearance;
         }
+        others |= a != s->at[0].appearance;
+        at++;
+        n++;
     }
     s->count = n;
     s->alike = !others;

@@ -287,8 +287,10 @@ static void begin_filled(pov_tracer *t, bool one_start)
 /* Fog has dimmed the paths of earlier rays. */
 static void clear_factors(batch *b, uint32_t n)
 {
+    const coefficient white = { { 1.0f, 1.0f, 1.0f }, 1.0f };
+
     for (uint32_t i = 0; i < n; i++) {
-        b->paths[i].factor.by = colour_of(1.0f, 1.0f, 1.0f);
+        b->paths[i].factor = white;
         b->paths[i].clear = 1.0f;
     }
 }
