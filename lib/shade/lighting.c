@@ -67,15 +67,25 @@ static uint64_t lanes_of(const lighting *l, uint64_t rays)
     return out;
 }
 
-/* Add what some lanes reflect. */
+/* Half of the lanes, whose bits fit numbers as wide as floats. */
+enum { HALF = LANES_MAX / 2 };
+
+static inline void add_half(float *restrict to, const float *restrict from, uint32_t lanes)
+{
+    for (uint32_t i = 0; i < HALF; i++) {
+        const float x = from[i];
+
+        to[i] += lanes >> i & 1 ? x : 0.0f;
+    }
+}
+
+/* Add what some lanes of the first n reflect. */
 SIMD_CLONES static void add_lanes(const light_sample *restrict s, uint64_t lanes, uint32_t n, colour_lanes *restrict to)
 {
-    for (uint32_t i = 0; i < n; i++) {
-        const bool adds = lanes >> i & 1;
-
-        to->red[i] += adds ? s->red[i] : 0.0f;
-        to->green[i] += adds ? s->green[i] : 0.0f;
-        to->blue[i] += adds ? s->blue[i] : 0.0f;
+    for (uint32_t i = 0; i < n; i += HALF) {
+        add_half(to->red + i, s->red + i, (uint32_t)(lanes >> i));
+        add_half(to->green + i, s->green + i, (uint32_t)(lanes >> i));
+        add_half(to->blue + i, s->blue + i, (uint32_t)(lanes >> i));
     }
 }
 

@@ -177,6 +177,45 @@ static void add_stack(const surface *s, const lit_stacks *from, uint32_t lane, c
     }
 }
 
+/* What a layer gives, as above, in all lanes. */
+SIMD_CLONES static void weigh(colour_lanes *restrict lit, colour emitted, colour by, uint32_t n)
+{
+    for (uint32_t i = 0; i < n; i++) {
+        lit->red[i] = by.r * (emitted.r + lit->red[i]);
+        lit->green[i] = by.g * (emitted.g + lit->green[i]);
+        lit->blue[i] = by.b * (emitted.b + lit->blue[i]);
+    }
+}
+
+/* The same for surfaces of one stack. A sum that is finite is one of finite terms. */
+static void add_stacks_alike(const surfaces *s, const stack *of, lit_stacks *from, colour *out)
+{
+    for (uint32_t k = 0; k < of->count; k++)
+        weigh(&from->lit[k], of->layers[k].appearance.emitted, of->layers[k].of.by, lanes_whole(s->count));
+    for (uint32_t i = 0; i < s->count; i++) {
+        const path *p = s->at[i].from;
+        colour sum = out[p->lane];
+
+        for (uint32_t k = 0; k < of->count; k++)
+            sum = colour_add(sum, colour_mul(p->factor.by, colour_lane(&from->lit[k], i)));
+        if (isfinite(sum.r + sum.g + sum.b))
+            out[p->lane] = sum;
+        else
+            for (uint32_t k = 0; k < of->count; k++)
+                accumulate(p, colour_lane(&from->lit[k], i), out);
+    }
+}
+
+static void add_stacks(const surfaces *s, const lit_stacks *from, colour *out)
+{
+    for (uint32_t i = 0; i < s->count; i++) {
+        if (s->at[i].appearance->stack)
+            add_stack(&s->at[i], from, i, out);
+        else
+            accumulate(s->at[i].from, colour_add(s->at[i].appearance->emitted, colour_lane(&from->lit[0], i)), out);
+    }
+}
+
 /* What surfaces of one term each give, of which some are flat stacks. */
 static void shade_stacks(pov_tracer *t, colour *out)
 {
@@ -184,12 +223,10 @@ static void shade_stacks(pov_tracer *t, colour *out)
 
     t->lighting.own = t->queue.mirrored.items[0]->own;
     light_gather_stacks(&t->lighting, &t->context, s, t->stacks);
-    for (uint32_t i = 0; i < s->count; i++) {
-        if (s->at[i].appearance->stack)
-            add_stack(&s->at[i], t->stacks, i, out);
-        else
-            accumulate(s->at[i].from, colour_add(s->at[i].appearance->emitted, colour_lane(&t->stacks->lit[0], i)), out);
-    }
+    if (s->alike && s->at[0].appearance->stack)
+        add_stacks_alike(s, s->at[0].appearance->stack, t->stacks, out);
+    else
+        add_stacks(s, t->stacks, out);
     scatter(&t->context, s, &t->queue);
 }
 
