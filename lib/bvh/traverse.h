@@ -125,8 +125,9 @@ static inline uint32_t bvh_common_octant(const pov_ray *const *rays, uint32_t n)
 #endif
 }
 
-/* A ray that starts further away than BVH_NEAR half-sizes of the frame is moved near it. False: it misses. */
-#define BVH_NEAR 8.0
+/* A ray that starts further away than BVH_NEAR half-sizes of the frame is moved near it, in double-double, one by one: nearer, the slack of
+ * floats is little to boxes. False: it misses. */
+#define BVH_NEAR 64.0
 /* Directions with lengths in this range need no rescaling. */
 #define BVH_SHORT 0x1p-300
 #define BVH_LONG 0x1p300

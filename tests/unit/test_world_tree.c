@@ -103,8 +103,8 @@ static int trace(pair *p, test_random *r, int rays, double scale, pov_vec3 offse
     int i, hits = 0;
 
     for (i = 0; i < rays; i++) {
-        static const double dir[4] = { 1.0, 3.0, 50.0, 1e7 };
-        pov_vec3 o = pov_scale(test_direction(r), scale * dir[i % 4]), d = test_direction(r);
+        static const double dir[8] = { 1.0, 3.0, 50.0, 1e7, 1.0, 3.0, 500.0, 1e7 };
+        pov_vec3 o = pov_scale(test_direction(r), scale * dir[i % 8]), d = test_direction(r);
         pov_vec3 target = pov_scale(test_direction(r), scale);
         if (i % 4 > 0)
             d = pov_sub(target, o);
