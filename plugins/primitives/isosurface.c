@@ -1,12 +1,11 @@
 /* isosurface { function { f } ... }: where f is the threshold, within a box or a sphere; inside where it is below.
  *
  * Where bounds of f over stretches of a line are known, they find all crossings (common/level.h), in the cells of a grid that
- * may hold some (common/cells.h). Else `max_gradient` bounds how fast f changes. So around a point there is no root as near
- * as its value over the bound, and a stretch of the ray is made shorter from both ends before it is halved. Stretches shorter
- * than `accuracy` are then searched no further; roots between points on different sides are found to the last bit. Whatever
- * is inside at the skin of the container is closed by it, unless `open`. */
+ * may hold some (common/cells.h). Else `max_gradient` bounds how fast f changes, and stretches shorter than `accuracy` are
+ * searched no further (common/steps.h). Whatever is inside at the skin of the container is closed by it, unless `open`. */
 #include "common/cells.h"
 #include "common/clip.h"
+#include "common/steps.h"
 
 typedef struct isosurface {
     const pov_function *function;
@@ -19,8 +18,8 @@ typedef struct isosurface {
     common_cells cells;
 } isosurface;
 
-/* Doubles that a function may need, and registers of its bounds. */
-enum { SURFACE, SKIN, MEMORY = 2048, REGISTERS = MEMORY * sizeof(double) / sizeof(pov_slope) };
+/* Doubles that a function may need, and registers of its bounds; rays that are asked together. */
+enum { SURFACE, SKIN, TOGETHER = 64, SIDES = 6, MEMORY = 2048, REGISTERS = MEMORY * sizeof(double) / sizeof(pov_slope) };
 
 /* ---- loading ---- */
 
@@ -133,7 +132,8 @@ static void parse(void *self, const pov_host *host, pov_reader *in)
     s->gradient = s->gradient > 0.0 ? s->gradient : GRADIENT;
     s->accuracy = s->accuracy > 0.0 ? s->accuracy : ACCURACY;
     s->size = pov_largest(pov_sub(s->hi, s->lo));
-    s->accuracy = fmin(s->accuracy, 0x1p-9 * s->size);
+    /* Doubles tell no more. */
+    s->accuracy = fmax(fmin(s->accuracy, 0x1p-9 * s->size), 0x1p-46 * s->size);
     find_cells(s, host, in);
 }
 
@@ -158,7 +158,7 @@ static size_t scratch(const void *self)
 
     if (s->exact)
         return s->exact->registers * sizeof(pov_form);
-    return s->function ? s->function->memory * sizeof(double) : 0;
+    return s->function ? common_steps_memory(s->function) * sizeof(double) : 0;
 }
 
 /* `memory`: of scratch(), or MEMORY doubles. */
@@ -182,15 +182,6 @@ typedef struct line {
     pov_hits *hits;
 } line;
 
-typedef struct sample { double t, value; } sample;
-
-static sample sample_at(const line *n, double t)
-{
-    sample a = { t, value_at(n->s, pov_add(n->o, pov_scale(n->d, t)), n->memory) };
-
-    return a;
-}
-
 /* False: nothing more is wanted. */
 static bool report(const line *n, double t, uint32_t feature)
 {
@@ -199,55 +190,6 @@ static bool report(const line *n, double t, uint32_t feature)
     pov_hits *hits = n->hits;
 
     return pov_cross(hits, at.hi * n->unit, at.lo * n->unit, mark) && !(hits->want == POV_WANT_NEAREST && at.hi * n->unit > hits->tmin);
-}
-
-/* Where an inverse parabola through three samples is zero, from a to b; the middle where it would not be between them. */
-static double guess_between(sample a, sample b, sample c)
-{
-    const double along = (a.t - b.t) / (c.t - b.t), up = (a.value - b.value) / (c.value - b.value);
-
-    if (!(up * up < along && (1.0 - up) * (1.0 - up) < 1.0 - along))
-        return 0.5;
-    return a.value / (b.value - a.value) * (c.value / (b.value - c.value)) +
-           (c.t - a.t) / (b.t - a.t) * (a.value / (c.value - a.value)) * (b.value / (c.value - b.value));
-}
-
-/* The root between two points on different sides: Chandrupatla's method. */
-static double refine(const line *n, sample a, sample b)
-{
-    double at = a.value / (a.value - b.value);
-
-    for (int turn = 0; turn < 200; turn++) {
-        const double fine = 0x1p-51 * (fabs(a.t) + n->s->size / n->speed), least = fine / fabs(b.t - a.t);
-        const double held = at > least ? at < 1.0 - least ? at : 1.0 - least : least;
-        const sample next = sample_at(n, a.t + held * (b.t - a.t));
-        sample c = a;
-
-        if (!(least < 0.5) || next.value == 0.0)
-            return next.t;
-        if ((next.value < 0.0) != (a.value < 0.0)) {
-            c = b;
-            b = a;
-        }
-        a = next;
-        at = guess_between(a, b, c);
-    }
-    return a.t;
-}
-
-/* The stretch between two samples. False: nothing more is wanted. */
-static bool search(const line *n, sample a, sample b)
-{
-    const bool differ = (a.value < 0.0) != (b.value < 0.0);
-    const double rate = n->s->gradient * n->speed, near = a.t + fabs(a.value) / rate, far = b.t - fabs(b.value) / rate;
-    sample middle;
-
-    if (!differ && !(near < far))
-        return true;
-    if ((b.t - a.t) * n->speed <= n->s->accuracy)
-        return !differ || report(n, refine(n, a, b), SURFACE);
-    middle = sample_at(n, near < far ? 0.5 * (near + far) : 0.5 * (a.t + b.t));
-    return search(n, a, middle) && search(n, middle, b);
 }
 
 static bool clip_sphere(const isosurface *s, const common_ray *k, common_span *out)
@@ -277,14 +219,34 @@ static bool clip(const isosurface *s, const common_ray *k, common_span *span)
     return span->lo < span->hi;
 }
 
+static void values_at(const isosurface *s, const pov_vec3 at[SIDES], double *memory, double v[SIDES])
+{
+    double places[3 * POV_VALUES];
+
+    if (s->exact || s->function->memory_many > MEMORY) {
+        for (int i = 0; i < SIDES; i++)
+            v[i] = value_at(s, at[i], memory);
+        return;
+    }
+    for (int i = 0; i < SIDES; i++) {
+        places[i] = at[i].x;
+        places[POV_VALUES + i] = at[i].y;
+        places[2 * POV_VALUES + i] = at[i].z;
+    }
+    s->function->values(s->function, places, SIDES, memory, v);
+    for (int i = 0; i < SIDES; i++)
+        v[i] -= s->threshold;
+}
+
 static pov_vec3 difference_at(const isosurface *s, pov_vec3 p, double *memory)
 {
     const double h = 0x1p-17 * s->size;
     const pov_vec3 x = { h, 0.0, 0.0 }, y = { 0.0, h, 0.0 }, z = { 0.0, 0.0, h };
+    const pov_vec3 at[SIDES] = { pov_add(p, x), pov_sub(p, x), pov_add(p, y), pov_sub(p, y), pov_add(p, z), pov_sub(p, z) };
+    double v[SIDES];
 
-    return pov_vec3_of(value_at(s, pov_add(p, x), memory) - value_at(s, pov_sub(p, x), memory),
-                       value_at(s, pov_add(p, y), memory) - value_at(s, pov_sub(p, y), memory),
-                       value_at(s, pov_add(p, z), memory) - value_at(s, pov_sub(p, z), memory));
+    values_at(s, at, memory, v);
+    return pov_vec3_of(v[0] - v[1], v[2] - v[3], v[4] - v[5]);
 }
 
 /* Where the function jumps past the threshold, its gradient says nothing of the surface. */
@@ -309,17 +271,6 @@ static double side_ahead(const line *n, const pov_ray *ray)
     if (flags & (POV_MARK_OUTWARD | POV_MARK_INWARD))
         return flags & POV_MARK_OUTWARD ? 0.0 : -0x1p-1000;
     return pov_dot(slope_at(n->s, n->o, n->memory), n->d) >= 0.0 ? 0.0 : -0x1p-1000;
-}
-
-/* Between two samples by the gradient, and the skin. */
-static void intersect_by_gradient(const line *n, sample a, double end, bool enters)
-{
-    const sample b = sample_at(n, end);
-
-    if (enters && a.value < 0.0 && !report(n, 0.0, SKIN))
-        return;
-    if (search(n, a, b) && !n->s->open && b.value < 0.0)
-        report(n, end, SKIN);
 }
 
 static bool found(void *user, double t) { return report(user, t, SURFACE); }
@@ -348,40 +299,94 @@ static void intersect_by_bounds(line *n, const pov_ray *ray, double end, bool fr
         report(n, end, SKIN);
 }
 
-static void intersect(const void *self, const pov_ray *ray, pov_hits *hits)
+/* What is asked of a ray within the container. False: nothing. */
+typedef struct asked { line n; double end; bool from_surface, enters; } asked;
+
+static bool begin(const isosurface *s, const pov_ray *ray, pov_hits *hits, asked *out)
 {
     static const pov_vec3 zero = { 0.0, 0.0, 0.0 };
-    const isosurface *s = self;
     const common_ray k = common_enter(ray, pov_two3_of(zero, zero), 1.0);
     const bool from_here = ray->origin_surface == hits->owner, from_skin = from_here && ray->origin_mark.feature == SKIN;
+    line *n = &out->n;
     common_span span;
-    double end;
-    bool enters;
-    line n;
 
     if (!clip(s, &k, &span) || span.hi <= 0.0 || span.lo * k.unit > hits->tmax)
-        return;
-    n.s = s;
-    n.base = fmax(span.lo, 0.0);
-    n.o = common_along(&k, n.base);
-    n.d = k.d;
-    n.speed = sqrt(pov_dot(k.d, k.d));
-    n.unit = k.unit;
-    n.memory = hits->scratch;
-    n.hits = hits;
+        return false;
+    n->s = s;
+    n->base = fmax(span.lo, 0.0);
+    n->o = common_along(&k, n->base);
+    n->d = k.d;
+    n->speed = sqrt(pov_dot(k.d, k.d));
+    n->unit = k.unit;
+    n->memory = hits->scratch;
+    n->hits = hits;
+    out->end = fmin(span.hi, hits->tmax * k.per_unit * (1.0 + 0x1p-20)) - n->base;
+    out->from_surface = from_here && !from_skin;
+    out->enters = !s->open && span.lo > 0.0 && !from_skin;
     /* A ray that starts on the skin goes in, or is at its end already. */
-    if (from_skin && !(span.hi * n.speed > 0x1p-30 * s->size))
-        return;
-    enters = !s->open && span.lo > 0.0 && !from_skin;
-    end = fmin(span.hi, hits->tmax * k.per_unit * (1.0 + 0x1p-20)) - n.base;
-    if (s->exact) {
-        intersect_by_bounds(&n, ray, end, from_here && !from_skin, enters);
-    } else {
-        sample a = sample_at(&n, 0.0);
+    return !from_skin || span.hi * n->speed > 0x1p-30 * s->size;
+}
 
-        if (from_here && !from_skin)
-            a.value = side_ahead(&n, ray);
-        intersect_by_gradient(&n, a, end, enters);
+static bool found_step(void *user, common_steps_event event, double t)
+{
+    const asked *a = user;
+
+    switch (event) {
+    case COMMON_STEPS_BELOW_START: return !a->enters || report(&a->n, 0.0, SKIN);
+    case COMMON_STEPS_BELOW_END: return a->n.s->open || report(&a->n, t, SKIN);
+    default: return report(&a->n, t, SURFACE);
+    }
+}
+
+/* By the gradient: several rays together. */
+static void intersect_by_steps(const isosurface *s, const pov_ray *const *rays, pov_hits *const *hits, uint32_t n)
+{
+    const common_steps steps = { s->function, s->threshold, s->gradient, s->accuracy, s->size, found_step };
+    common_steps_line lines[TOGETHER];
+    asked all[TOGETHER];
+    uint32_t count = 0;
+
+    for (uint32_t i = 0; i < n; i++) {
+        asked *a = &all[count];
+        common_steps_line *l = &lines[count];
+
+        if (!begin(s, rays[i], hits[i], a))
+            continue;
+        l->o = a->n.o;
+        l->d = a->n.d;
+        l->speed = a->n.speed;
+        l->end = a->end;
+        l->start_is_known = a->from_surface;
+        l->start = a->from_surface ? side_ahead(&a->n, rays[i]) : 0.0;
+        l->user = a;
+        count++;
+    }
+    if (count > 0)
+        common_steps_search(&steps, lines, count, hits[0]->scratch);
+}
+
+static void intersect(const void *self, const pov_ray *ray, pov_hits *hits)
+{
+    const isosurface *s = self;
+    asked a;
+
+    if (!s->exact)
+        intersect_by_steps(s, &ray, &hits, 1);
+    else if (begin(s, ray, hits, &a))
+        intersect_by_bounds(&a.n, ray, a.end, a.from_surface, a.enters);
+}
+
+static void intersect_many(const void *const *selves, const pov_ray *const *rays, pov_hits *const *hits, uint32_t n)
+{
+    for (uint32_t i = 0, some; i < n; i += some) {
+        const isosurface *s = selves[i];
+
+        for (some = 1; !s->exact && some < TOGETHER && i + some < n && selves[i + some] == s;)
+            some++;
+        if (s->exact)
+            intersect(s, rays[i], hits[i]);
+        else
+            intersect_by_steps(s, rays + i, hits + i, some);
     }
 }
 
@@ -432,6 +437,9 @@ static void normal(const void *self, const pov_ray *ray, const pov_crossing *at,
         *out = pov_scale(pov_unit(ray->dir), -1.0);
 }
 
+static const pov_shape_fast fast = { .size = sizeof(pov_shape_fast), .intersect_many = intersect_many };
+static const void *extension(const char *name) { return common_is_fast(name) ? &fast : NULL; }
+
 static bool open(const void *self) { return ((const isosurface *)self)->open; }
 
 static const pov_shape_class isosurface_class = {
@@ -444,6 +452,7 @@ static const pov_shape_class isosurface_class = {
     .intersect = intersect,
     .normal = normal,
     .inside = inside,
+    .extension = extension,
     .scratch = scratch,
     .open = open,
 };

@@ -380,7 +380,7 @@ static long hits_of(const char *function, pov_vec3 org, pov_vec3 dir, hits *out,
     pov_scene *scene;
     char text[512];
 
-    snprintf(text, sizeof text, "isosurface { function { %s } pigment { rgb 1 } }", function);
+    snprintf(text, sizeof text, "#declare Noise = function { internal(76) } isosurface { function { %s } pigment { rgb 1 } }", function);
     scene = scenes_text(context, text);
     assert_int_equal(pov_tracer_create(&tracer, scene, NULL), POV_OK);
     out->count = 0;
@@ -407,6 +407,54 @@ static void a_jump_is_a_surface_and_the_border_of_a_domain_is_none(void **user)
     assert_true(fabs(h.t[0] - (3.0 - exp(-0.3))) < 1e-12);
 }
 
+/* Of noise no bounds are known. */
+static void an_accuracy_beyond_that_of_doubles_has_an_end(void **user)
+{
+    const pov_vec3 org = { 3.0, 0.3, 0.2 }, dir = { -1.0, 0.0, 0.0 };
+    pov_vec3 normal;
+    hits h;
+
+    (void)user;
+    assert_int_equal(hits_of("x - 0.25 + 0*Noise(x, y, z) } max_gradient 9 accuracy 1e-30 contained_by { box { -1, 1 }", org, dir, &h, &normal), 2);
+    assert_true(fabs(h.t[0] - 2.75) < 1e-15 * h.t[0]);
+}
+
+/* Bit for bit, from outside and from within, past one and into another. */
+static void rays_together_find_what_each_finds_alone(void **user)
+{
+    enum { RAYS = 400 };
+    pov_context *context = scenes_context();
+    pov_vec3 org[RAYS], dir[RAYS], normal[RAYS];
+    double distance[RAYS];
+    const pov_found found = { .size = sizeof found, .distance = distance, .normal = normal };
+    pov_tracer *tracer;
+    pov_scene *scene = scenes_text(context, "#declare F = function { pattern { crackle scale 0.6 } } "
+                                            "isosurface { function { F(x, y, z) - 0.3 } max_gradient 4 pigment { rgb 1 } } "
+                                            "isosurface { function { F(x, y, z) - 0.2 + 0.1*sin(9*x) } open max_gradient 5 rotate 20 translate 2.2*x pigment { rgb 1 } }");
+    long hit = 0;
+
+    (void)user;
+    assert_int_equal(pov_tracer_create(&tracer, scene, NULL), POV_OK);
+    for (int i = 0; i < RAYS; i++) {
+        org[i] = i % 3 == 0 ? pov_scale(direction(), 0.9) : pov_vec3_of(0.3 * uniform(), 0.4 * uniform(), -4.0);
+        dir[i] = pov_sub(pov_vec3_of(3.0 * uniform() - 1.0, 2.0 * uniform() - 1.0, uniform()), org[i]);
+    }
+    assert_int_equal(pov_trace_many(tracer, RAYS, org, dir, &found, NULL), POV_OK);
+    for (int i = 0; i < RAYS; i++) {
+        pov_hit alone = { .size = sizeof alone };
+
+        if (!pov_trace_hit(tracer, org[i], dir[i], &alone))
+            continue;
+        hit++;
+        assert_memory_equal(&distance[i], &alone.distance, sizeof alone.distance);
+        assert_memory_equal(&normal[i], &alone.normal, sizeof alone.normal);
+    }
+    assert_true(hit > RAYS / 2);
+    pov_tracer_destroy(tracer);
+    pov_scene_destroy(scene);
+    pov_context_destroy(context);
+}
+
 /* As in POV-Ray. */
 static void a_gradient_or_accuracy_of_zero_is_as_if_left_out(void **user)
 {
@@ -423,6 +471,8 @@ int main(int argc, char **argv)
     const struct CMUnitTest tests[] = { cmocka_unit_test(no_ray_slips_through_and_crossings_are_where_they_are),
                                         cmocka_unit_test(the_picture_is_the_same_whatever_max_gradient_says),
                                         cmocka_unit_test(a_jump_is_a_surface_and_the_border_of_a_domain_is_none),
+                                        cmocka_unit_test(an_accuracy_beyond_that_of_doubles_has_an_end),
+                                        cmocka_unit_test(rays_together_find_what_each_finds_alone),
                                         cmocka_unit_test(a_gradient_or_accuracy_of_zero_is_as_if_left_out) };
 
     if (argc > 1)
