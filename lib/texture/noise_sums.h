@@ -6,7 +6,7 @@
 
 #include <math.h>
 
-/* Points of one cell go side by side where vectors hold eight of them: see noise_windows.h. */
+/* Points of one cell go side by side where vectors hold eight of them: see noise_runs.h. */
 #if defined(__AVX512F__) && defined(__GNUC__) && !defined(POV_NARROW)
 #define NOISE_RUNS 1
 #else
@@ -123,13 +123,12 @@ SIMD_CLONES static bool is_near(const vec_lanes *restrict at, double scale, uint
 /* Where the numbers of each corner begin. */
 SIMD_INLINE void find_corners(const noise_tables *t, const lattice *l, uint32_t lane, const double *from[CORNERS])
 {
-    const uint16_t *const hx = t->hash + l->low[0][lane];   /* and of the cell behind */
-    const uint32_t y[2] = { l->low[1][lane], (l->low[1][lane] + 1) & CELL_MASK };
-    const uint32_t z[2] = { l->low[2][lane], (l->low[2][lane] + 1) & CELL_MASK };
+    const size_t x = l->low[0][lane], y[2] = { l->low[1][lane], (y[0] + 1) & CELL_MASK }, z[2] = { l->low[2][lane], (z[0] + 1) & CELL_MASK };
+    const size_t hx[2] = { t->hash[x], t->hash[x + 1] };
     const double *const copies = (const double *)(const void *)t->measured;   /* one behind the other */
 
     for (int c = 0; c < CORNERS / 2; c++) {
-        const uint32_t hxy = t->hash[hx[c & 1] ^ y[c >> 1]];
+        const size_t hxy = t->hash[hx[c & 1] ^ y[c >> 1]];
 
         from[c] = copies + t->last[hxy ^ z[0]];
         from[c + 4] = copies + t->last[hxy ^ z[1]];
@@ -193,7 +192,7 @@ static double sum_point(const noise_tables *t, lattice *l, uint32_t lane)
 }
 
 #if NOISE_RUNS
-#include "texture/noise_windows.h"
+#include "texture/noise_runs.h"
 
 static void sum_scalar(const noise_tables *t, lattice *l, uint32_t n, double *restrict out)
 {
@@ -202,14 +201,14 @@ static void sum_scalar(const noise_tables *t, lattice *l, uint32_t n, double *re
     if (n == 1)
         out[0] = sum_point(t, l, 0);
     else
-        sum_windows(t, l, n, 1, to);
+        sum_runs(t, l, n, 1, to);
 }
 
 static void sum_vector(const noise_tables *t, lattice *l, uint32_t n, vec_lanes *restrict out)
 {
     double *const to[] = { out->x, out->y, out->z };
 
-    sum_windows(t, l, n, 3, to);
+    sum_runs(t, l, n, 3, to);
 }
 #else
 SIMD_CLONES static void sum_points(const noise_tables *t, lattice *l, uint32_t n, double *restrict out)

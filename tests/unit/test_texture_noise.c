@@ -123,14 +123,19 @@ static void is_alone(double step, pov_vec3 last)
     are_alone(&at);
 }
 
-/* On floors at height 0 half of the corners have no weight, and may be left out. Bit i: point i is above it. */
+/* On floors at height 0 and in images half of the corners have no weight, and may be left out. Bit i: point i is above it. */
 static void is_alone_on_floors(double step, uint64_t above)
 {
-    vec_lanes at;
+    vec_lanes floor, image;
 
-    for (uint32_t i = 0; i < LANES_MAX; i++)
-        lanes_put(&at, i, pov_vec3_of(0.37 * step * i - 9.0, above >> i & 1 ? 0.7 : 0.0, 0.013 * step * i * i - 0.3));
-    are_alone(&at);
+    for (uint32_t i = 0; i < LANES_MAX; i++) {
+        const double x = 0.37 * step * i - 9.0, y = above >> i & 1 ? 0.7 : 0.0, z = 0.013 * step * i * i - 0.3;
+
+        lanes_put(&floor, i, pov_vec3_of(x, y, z));
+        lanes_put(&image, i, pov_vec3_of(x, z, y));
+    }
+    are_alone(&floor);
+    are_alone(&image);
 }
 
 static void a_lane_is_alone(void **state)
