@@ -2,9 +2,13 @@
 
 #include "sdl/function_host.h"
 #include "sdl/host_parts.h"
+#include "sdl/intern.h"
 #include "sdl/limit.h"
 #include "sdl/report.h"
 #include "sdl/value.h"
+
+#include <stddef.h>
+#include <string.h>
 
 enum { SIDE_MAX = 1 << 15 };
 
@@ -63,40 +67,94 @@ static void fill_colours(pov_reader *in, const function *f, const image *of, uin
         }
 }
 
-const image *image_function_parse(pov_reader *in, bool colours)
+static bool parse_sides(pov_reader *in, image *out)
 {
-    const pov_function *f;
-    uint16_t *samples;
-    double *memory;
-    image *out = state_alloc(in, sizeof *out, 16);
-
-    if (!out)
-        return NULL;
     out->width = parse_side(in);
     state_accept(in, ',');
     out->height = parse_side(in);
-    f = host_function(in, 3);
-    if (!f || in->failed)
-        return NULL;
-    colours = colours && host_function_of(f)->kind == FUNCTION_PIGMENT;
+    return !in->failed;
+}
+
+static void set_format(image *out, bool colours)
+{
     out->channels = colours ? 4 : 1;
     out->has_alpha = colours;
     out->bits = 16;
     out->encoding = POV_ENCODING_STORED;
-    out->stride = sizeof *samples * out->channels * out->width;
+    out->stride = sizeof(uint16_t) * out->channels * out->width;
+}
+
+static bool make_samples(pov_reader *in, const pov_function *f, image *out)
+{
+    uint16_t *samples;
+    double *memory;
+
     if (!limit_images(in, out->stride * out->height)) {
         report_fail(in, &in->value, POV_E_MEMORY, "this image takes %zu bytes, of %zu that images may still take", out->stride * out->height,
                     in->limits.images - in->image_bytes);
-        return NULL;
+        return false;
     }
     samples = state_alloc(in, out->stride * out->height, 16);
     memory = state_alloc(in, f->memory_many * sizeof *memory, 16);
     if (in->failed)
-        return NULL;
-    if (colours)
+        return false;
+    if (out->has_alpha)
         fill_colours(in, host_function_of(f), out, samples);
     else
         fill(in, f, out, samples, memory);
     out->samples = (unsigned char *)samples;
-    return in->failed ? NULL : out;
+    return !in->failed;
+}
+
+/* What an image of a pattern or a pigment is made of, and the image. Equal patterns are one, by their addresses. */
+typedef struct made {
+    const char *tag;             /* keeps it apart from what else is interned */
+    const pigment_node *pigment;
+    const pattern *pattern;
+    uint32_t width, height, waves;
+    int32_t noise_generator;
+    bool colours;
+    const image *image;          /* NULL: yet to be made */
+} made;
+
+/* NULL: of a formula, or the reader has failed. */
+static made *find_made(pov_reader *in, const function *f, const image *of)
+{
+    static const char tag[] = "made";
+    made key;
+
+    if (f->kind == FUNCTION_FORMULA)
+        return NULL;
+    memset(&key, 0, sizeof key);
+    key.tag = tag;
+    key.pigment = f->pigment;
+    key.pattern = f->pattern;
+    key.width = of->width;
+    key.height = of->height;
+    key.waves = in->model->number_of_waves;
+    key.noise_generator = in->model->noise_generator;
+    key.colours = of->has_alpha;
+    return (made *)intern(in, &key, sizeof key, offsetof(made, image));
+}
+
+const image *image_function_parse(pov_reader *in, bool colours)
+{
+    image *const out = state_alloc(in, sizeof *out, 16);
+    const pov_function *f;
+    made *same;
+
+    if (!out || !parse_sides(in, out))
+        return NULL;
+    f = host_function(in, 3);
+    if (!f || in->failed)
+        return NULL;
+    set_format(out, colours && host_function_of(f)->kind == FUNCTION_PIGMENT);
+    same = find_made(in, host_function_of(f), out);
+    if (same && same->image)
+        return same->image;
+    if (in->failed || !make_samples(in, f, out))
+        return NULL;
+    if (same)
+        same->image = out;
+    return out;
 }

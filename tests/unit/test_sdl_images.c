@@ -1,6 +1,7 @@
 /* Images in scenes: where they are found, what is refused, and how stored numbers become colours. */
 #include "support/check.h"
 
+#include "model/image.h"
 #include "sdl/reader.h"
 #include "texture/texture.h"
 
@@ -344,9 +345,44 @@ static void a_pattern_makes_the_image_of_a_formula_that_calls_it(void **state)
     assert_true(found[0][0] != found[0][69]);
 }
 
+static const image *image_of(const bench *b, uint32_t leaf)
+{
+    const texture *t = b->model.materials.items[b->model.leaves.items[leaf].material].texture;
+
+    assert_non_null(t);
+    return ((const image_map *)t->pigment->pattern->self)->image;
+}
+
+/* What is written twice is one image, unless other noise would make another of it. */
+static void equal_patterns_of_equal_sides_make_one_image(void **state)
+{
+    static const char *const made[7] = {
+        "8, 9 { pattern { bozo scale .2 } }", "8, 9 { pattern { bozo scale .2 } }", "7, 9 { pattern { bozo scale .2 } }",
+        "8, 9 { pattern { bozo scale .3 } }", "8, 9 { pigment { bozo scale .2 } }", "8, 9 { pigment { bozo scale .2 } }",
+        "8, 9 { pattern { bozo scale .2 } }",
+    };
+    static const uint32_t first[7] = { 0, 0, 2, 3, 4, 4, 6 };
+    char all[2048];
+    bench b;
+
+    (void)state;
+    strcpy(all, "}");
+    for (int i = 0; i < 7; i++)
+        sprintf(all + strlen(all), "%s plane { z, 0 pigment { image_map { function %s } } }",
+                i < 6 ? "" : "global_settings { noise_generator 1 }", made[i]);
+    strcat(all, "sphere { 0, 1");
+    if (read_scene(&b, all) != POV_OK)
+        fail_msg("%s", b.error.message);
+    for (uint32_t i = 0; i < 7; i++)
+        for (uint32_t k = 0; k <= i; k++)
+            assert_int_equal(image_of(&b, i + 1) == image_of(&b, k + 1), first[i] == first[k]);
+    end(&b);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(equal_patterns_of_equal_sides_make_one_image),
         cmocka_unit_test(a_name_without_a_format_is_that_of_a_png),
         cmocka_unit_test(what_cannot_be_read_is_refused_with_its_place),
         cmocka_unit_test(a_name_without_its_ending_is_found_and_decoded),
