@@ -13,5 +13,9 @@ bool object_is_solid(const object_parsed *o);
 bool object_holds(pov_reader *in, const object_parsed *o, pov_vec3 point);
 /* False: it has no end, or there is nothing of it. What is not drawn yet has the unit cube. */
 bool object_bounds(pov_reader *in, const object_parsed *o, pov_box *out);
+/* A convex solid, one shape? */
+bool object_is_convex(const object_parsed *o);
+/* Does such a one certainly hold all of the object, moved as it is? False: that is not known. */
+bool object_is_within(pov_reader *in, const object_parsed *o, const object_parsed *by);
 
 #endif

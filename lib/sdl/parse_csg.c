@@ -2,6 +2,7 @@
  * where it has none, flags, and transformations behind its own. */
 #include "base/vec.h"
 #include "sdl/materials.h"
+#include "sdl/object_query.h"
 #include "sdl/parse_copies.h"
 #include "sdl/parse_cutaway.h"
 #include "sdl/parse_media.h"
@@ -369,6 +370,17 @@ static bool add_whole(pov_reader *in, const object_parsed *o, const around *a, n
     return false;
 }
 
+/* Does a clip hold all of what it clips? Programs clip whatever they write by the box of the picture. */
+static bool is_needless(pov_reader *in, const object_parsed *o, const object_parsed *clip)
+{
+    object_parsed moved = parse_copy(clip);
+
+    if (!object_is_convex(clip))
+        return false;
+    parse_append_transforms(in, &moved.map, o->map, clip->since);
+    return object_is_within(in, o, &moved);
+}
+
 static bool add(pov_reader *in, const object_parsed *o, const around *a, node_ref *out)
 {
     const group_node shape = { .op = NODE_CLIP, .line = o->leaf.line, .column = o->leaf.column };
@@ -384,10 +396,10 @@ static bool add(pov_reader *in, const object_parsed *o, const around *a, node_re
     for (const object_parsed *clip = o->clips; clip && !in->failed; clip = clip->next) {
         const around here = { a, o, clip->since, false, 0 };
 
-        if (add(in, clip, &here, &child) && !VEC_PUSH(in->model->env, &children, child))
+        if (!is_needless(in, o, clip) && add(in, clip, &here, &child) && !VEC_PUSH(in->model->env, &children, child))
             report_memory(in);
     }
-    if (!in->failed && !model_add_group(in->model, &shape, children.items, children.count, out))
+    if (!in->failed && children.count > 1 && !model_add_group(in->model, &shape, children.items, children.count, out))
         report_memory(in);
     env_free(in->model->env, children.items);
     return !in->failed;

@@ -6,6 +6,7 @@
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 enum { WIDE = 48, HIGH = 36 };
 
@@ -75,7 +76,10 @@ static void a_thin_open_surface_is_clipped_alike_by_small_and_large_ones(void **
 {
     static const char *const objects[] = { "cone { 0, .7, .02*z, .9 open ", "cylinder { 0, <.03,.02,.05>, .8 open ",
                                            "cone { -.01*y, .9, .01*y, .7 open rotate 50*x " };
-    static const char *const large[] = { "box { -3, <3,3,2000000> }", "box { -2000000000, 3 }", "sphere { <0,0,2000000>, 2000003 }" };
+    /* They hold all of the objects, but not of their boxes. */
+    static const char *const large[] = { "box { <-.98,-.98,-3>, <.98,.98,2000000> rotate 45*z }",
+                                         "box { -2000000000, <.98,.98,3> rotate 45*z }",
+                                         "sphere { <-1414213.5624,-1414213.5624,0>, 2000000.98 }" };
 
     (void)state;
     for (size_t i = 0; i < sizeof objects / sizeof *objects; i++) {
@@ -145,12 +149,64 @@ static void a_height_field_has_its_box_whatever_clips_it(void **state)
     assert_int_equal(infinite_in("quadric { <1,0,1>, 0, 0, -.1 clipped_by { height_field { function 9, 9 { x*y } translate -.5 } } }"), 1);
 }
 
+/* Do rays ask a tree of shapes, when the scene is drawn? */
+static bool asks_tree(const char *object)
+{
+    pov_context *context = scenes_context();
+    pov_scene *scene = scenes_text(context, object);
+    pov_render_desc desc = { .size = sizeof desc, .width = 8, .height = 8, .threads = 1 };
+    pov_class_counts counts = { .size = sizeof counts };
+    bool asks = false;
+    pov_job *job;
+
+    assert_int_equal(pov_job_create(&job, scene, &desc, NULL), POV_OK);
+    assert_int_equal(pov_job_start(job, NULL), POV_OK);
+    pov_job_wait(job, -1.0);
+    for (size_t i = 0; pov_job_get_class(job, i, &counts); i++)
+        asks |= strcmp(counts.keyword, "csg") == 0;
+    pov_job_destroy(job);
+    pov_scene_destroy(scene);
+    pov_context_destroy(context);
+    return asks;
+}
+
+static void assert_clips(const char *object, bool clips)
+{
+    if (asks_tree(object) != clips)
+        fail_msg("%s: the clip is %s", object, clips ? "left out" : "not left out");
+}
+
+/* What certainly holds all of an object leaves nothing of it out. */
+static void a_clip_around_all_of_it_is_left_out(void **state)
+{
+    (void)state;
+    assert_clips("sphere { 0, 1 clipped_by { box { -2, 2 } } }", false);
+    assert_clips("sphere { 0, 1 clipped_by { box { -2, 2 } box { <-1, -2, -2>, 2 } } }", true);   /* they touch */
+    assert_clips("sphere { 0, 1 clipped_by { box { -.9, 2 } } }", true);
+    assert_clips("sphere { 0, 1 clipped_by { box { -2, 2 inverse } } }", true);
+    assert_clips("sphere { 0, 1 inverse clipped_by { box { -2, 2 } } }", true);
+    assert_clips("sphere { 0, 1 clipped_by { plane { y, 1.001 } } }", false);
+    assert_clips("plane { y, 0 clipped_by { box { -2, 2 } } }", true);
+    assert_clips("sphere { 0, 1 clipped_by { torus { 3, 2.5 } } }", true);
+    assert_clips("sphere { 0, 1 clipped_by { union { box { -2, 2 } } } }", true);
+    /* By where both are. */
+    assert_clips("sphere { 0, 1 scale 3 clipped_by { box { -2, 2 } } }", true);
+    assert_clips("sphere { 0, 1 clipped_by { box { -2, 2 } } scale 3 rotate 20 translate 1e6 }", false);
+    assert_clips("sphere { 0, 1 clipped_by { box { -2, 2 rotate 45*z translate 2 } } }", true);
+    assert_clips("sphere { 0, 1 translate 2 clipped_by { box { -2, 2 rotate 45*z translate 2 } } }", false);
+    assert_clips("sphere { 0, 1 translate 1e6 clipped_by { box { -1.000000000001, 2 translate 1e6 } } }", true);   /* 1e6 loses that */
+    /* A union if that holds of each. */
+    assert_clips("union { sphere { 0, 1 } cone { 0, 1, y, 2 } scale .9 clipped_by { box { -2, 2 } } }", false);
+    assert_clips("union { sphere { 0, 1 } cone { 0, 1, 3*y, 2 } clipped_by { box { -2, 2 } } }", true);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = { cmocka_unit_test(one_clip_is_like_several), cmocka_unit_test(the_size_of_a_scene_changes_nothing),
                                         cmocka_unit_test(a_thin_open_surface_is_clipped_alike_by_small_and_large_ones),
                                         cmocka_unit_test(a_clip_with_gaps_is_like_a_closed_one),
-                                        cmocka_unit_test(a_height_field_has_its_box_whatever_clips_it) };
+                                        cmocka_unit_test(a_height_field_has_its_box_whatever_clips_it),
+                                        cmocka_unit_test(a_clip_around_all_of_it_is_left_out) };
 
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
