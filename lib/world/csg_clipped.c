@@ -38,7 +38,7 @@ static uint32_t find_surface(const csg_tree *t, bool loose)
     return showing == 1 ? shown : others == 1 ? other : t->member_count;
 }
 
-static bool is_surface(const csg_member *m) { return !csg_is_unseen(m) && !m->patch && !m->absent; }
+static bool is_surface(const csg_member *m) { return !csg_is_unseen(m) && !m->absent; }
 
 /* Nothing but intersections? */
 static bool is_intersection(const csg_tree *t, node_ref node)
@@ -72,6 +72,9 @@ static bool find_clips(csg_tree *t, bool loose)
     }
     /* Where a hollow holds the first crossing, the walk asks the surface again: only those that are quick on a stretch gain by it. */
     if (found.hollows && !t->members[found.surface].shape->intersect_between)
+        return false;
+    /* Of a patch only clips that do not show leave the first crossing: it has no inside. */
+    if (t->members[found.surface].patch && found.shown)
         return false;
     t->clipped = found;
     return true;

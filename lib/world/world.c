@@ -173,7 +173,7 @@ static bool bind_trees(world *w)
             m->instance = ref.instance;
             m->xform = ref.xform;
             m->class_number = w->groups[w->objects_info[m->leaf].group].class_number;
-            m->open = m->shape->open && m->shape->open(m->instance);
+            m->open = !m->patch && m->shape->open && m->shape->open(m->instance);
             note_open(&w->trees.items[i], m);
         }
         if (!csg_find_same(&w->trees.items[i], w->env) || !csg_find_outline(&w->trees.items[i], w->env))

@@ -251,6 +251,8 @@ void common_mesh_intersect_many(const void *const *selves, const pov_ray *const 
 static const pov_shape_fast mesh_fast = {
     .size = sizeof(pov_shape_fast),
     .intersect_many = common_mesh_intersect_many,
+    .intersect_between = common_mesh_intersect,
+    .intersect_between_many = common_mesh_intersect_many,
     .normal_many = common_mesh_normal_many,
 };
 

@@ -16,6 +16,8 @@ enum { WIDE = 48, HIGH = 36 };
 #define LOOK "pigment { rgb <.8,.5,.3> } finish { reflection .2 } "
 #define GLASS "pigment { rgbt <.9,.9,1,.8> } finish { reflection .1 } interior { ior 1.4 } "
 #define CUBIC "cubic { <1.2,0,0,.4, 0,0,1,0,0,-.3, .9,.3,0,0,0,0, -.7,0,0,.1> "
+#define TENT "mesh { triangle { <-2,-.4,-1>, <0,.5,-2>, <.1,.3,2> } triangle { <.1,.3,2>, <2,-.6,1>, <0,.5,-2> } " \
+             "smooth_triangle { <-1,-1,.2>, <0,.1,-1>, <1,-1,.3>, <0,0,-1>, <1,.8,0>, <.3,.2,-1> } "
 #define QUARTIC "poly { 4, <1,0,0,0,2,0,0,2,0,-1.3, 0,0,0,0,0,0,0,0,0,0, 1,0,0,2,0,.3,0,0,0,0, 1,0,-1.3,0,.2> "
 
 static float *draw(const char *object, const char *clip, const char *rest, const char *camera, bool shows)
@@ -51,7 +53,8 @@ static void assert_alike(const char *object, const char *clip, const char *rest,
 static void one_clip_is_like_several(void **state)
 {
     static const char *const objects[] = { CUBIC, QUARTIC, "quadric { <1,0,-1>, <0,.3,0>, <0,0,.1>, -.1 ", "plane { <.3,1,-.5>, .1 ",
-                                           "sphere { <.3,0,.2>, .8 ", "torus { .6, .25 rotate 60*x ", "plane { z, 0 rotate 30*x inverse " };
+                                           "sphere { <.3,0,.2>, .8 ", "torus { .6, .25 rotate 60*x ", "plane { z, 0 rotate 30*x inverse ",
+                                           TENT, TENT "inside_vector y " };
     static const char *const clips[] = { "sphere { 0, 1 }", "box { <-.7,-.8,-.9>, <.8,.7,.6> rotate <20,30,40> }",
                                          "cylinder { -y, y, .7 rotate 50*z }" };
     static const char *const cameras[] = { "<.3,1.2,-5>", "<.1,.12,.05>", "<-4,.2,3>" };
