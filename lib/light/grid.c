@@ -228,6 +228,38 @@ SIMD_CLONES static void move_along(const pov_vec3 axes[2], const double *restric
     }
 }
 
+/* As round_off(). */
+SIMD_CLONES static void round_all(double *restrict u, double *restrict v, uint32_t n)
+{
+    for (uint32_t i = 0; i < n; i++) {
+        const double a = fabs(u[i]), b = fabs(v[i]), length = sqrt(u[i] * u[i] + v[i] * v[i]), by = length > 0.0 ? (a > b ? a : b) / length : 1.0;
+
+        u[i] *= by;
+        v[i] *= by;
+    }
+}
+
+/* Along axes across each direction, as turn() has them. False: some direction is out of the range of squares. */
+SIMD_CLONES static bool move_across(double size, const vec_lanes *restrict to, const double *restrict u, const double *restrict v, uint32_t n,
+                                    vec_lanes *restrict move)
+{
+    int64_t in_range = -1;
+
+    for (uint32_t i = 0; i < n; i++) {
+        const pov_vec3 t = lanes_at(to, i);
+        const double square = pov_dot(t, t), length = sqrt(square);
+        const pov_vec3 d = pov_vec3_of(t.x / length, t.y / length, t.z / length);
+        const double up = fabs(d.z) < along_z ? 1.0 : 0.0;
+        const pov_vec3 right = pov_cross_product(pov_vec3_of(0.0, 1.0 - up, up), d);
+        const double by = sqrt(pov_dot(right, right));
+        const pov_vec3 a = pov_vec3_of(right.x / by, right.y / by, right.z / by), b = pov_cross_product(d, a);
+
+        lanes_put(move, i, pov_add(pov_scale(pov_scale(a, size), u[i]), pov_scale(pov_scale(b, size), v[i])));
+        in_range &= (square > 1e-238) & (square < 1e238) ? -1 : 0;
+    }
+    return in_range != 0;
+}
+
 /* From the middle to the k-th point, for light on `n` points of surfaces; `to` are their directions to the light's position. Up to a
  * whole vector more are filled in. */
 static void find_moves(const light *l, const light_grid *g, uint32_t k, uint32_t draw, const vec_lanes *at, const vec_lanes *to, uint32_t n,
@@ -243,12 +275,14 @@ static void find_moves(const light *l, const light_grid *g, uint32_t k, uint32_t
             u[i] = g->points[k].u;
             v[i] = g->points[k].v;
         }
-    for (uint32_t i = 0; g->rounded && i < n; i++)
-        round_off(&u[i], &v[i]);
+    if (g->rounded)
+        round_all(u, v, whole);
     if (!(l->flags & LIGHT_ORIENT)) {
         move_along(l->area.axes, u, v, whole, move);
         return;
     }
+    if (move_across(sqrt(pov_dot(l->area.axes[0], l->area.axes[0])), to, u, v, n, move))
+        return;
     for (uint32_t i = 0; i < n; i++) {
         pov_vec3 axes[2];
 
