@@ -72,7 +72,6 @@ static inline void finish_reflected(scattering *to, rarities has, batch *b, path
     } else {
         world_origin_reflect(ray, s->at, side);
     }
-    to->reflected++;
 }
 
 /* Back to the side that the ray came from. */
@@ -84,8 +83,10 @@ static inline void reflect(scattering *to, rarities has, const surface *s, uint3
     if (!passes_cutoff(&to->limits, s->from, &factor, to->limits.level))
         return;
     b = branch_of(to, &to->queue->mirrored, s);
-    if (b)
-        finish_reflected(to, has, b, spawn(b, s, lanes_at(to->on->geometry.mirrored, lane), factor, true), s, lane);
+    if (!b)
+        return;
+    finish_reflected(to, has, b, spawn(b, s, lanes_at(to->on->geometry.mirrored, lane), factor, true), s, lane);
+    to->reflected++;
 }
 
 /* What a film makes of the light that a surface mirrors. */
@@ -119,6 +120,7 @@ SIMD_NOINLINE static void reflect_power(scattering *to, const surface *s, uint32
     p->factor[p->count] = factor.by;
     p->exponent[p->count++] = exponent;
     finish_reflected(to, to->has, b, spawn(b, s, lanes_at(to->on->geometry.mirrored, lane), seen, true), s, lane);
+    to->reflected++;
 }
 
 /* What goes on from surfaces: those that follow one another, or all have the same. */
@@ -374,6 +376,25 @@ static inline void go_straight(scattering *to, rarities has, bool refraction, co
         keep_list(to, refraction, transmit(to, has, s, lane, &from->filter[from->apart * lane]));
 }
 
+/* Mirrors of one appearance, where nothing transmits rays: each surface has a path of its own, so one batch takes all. */
+static void mirror_alike(scattering *to, const sources *from)
+{
+    const surfaces *on = to->on;
+    batch *b = to->queue->mirrored.items[0];
+    const uint32_t before = b->count;
+    limits l = to->limits;
+
+    for (uint32_t i = 0; i < on->count; i++) {
+        const surface *s = &on->at[i];
+        const coefficient factor = product(&s->from->factor, &from->reflection[from->apart * i]);
+
+        if (passes_cutoff(&l, s->from, &factor, l.level))
+            finish_reflected(to, to->has, b, spawn(b, s, lanes_at(on->geometry.mirrored, i), factor, true), s, i);
+    }
+    to->limits = l;
+    to->reflected += b->count - before;
+}
+
 /* Where nothing transmits rays. */
 static void mirror_lanes(scattering *to)
 {
@@ -381,8 +402,12 @@ static void mirror_lanes(scattering *to)
     const surface *s = on->at;
     const sources all = sources_of(on, s->appearance);
 
+    if (on->alike && all.of->reflective && !all.of->powered) {
+        mirror_alike(to, &all);
+        return;
+    }
     for (uint32_t i = 0; i < on->count; i++, s++) {
-        const sources own = on->alike ? all : sources_of(on, s->appearance);
+        const sources own = sources_of(on, s->appearance);
 
         reflect_some(to, to->has, &own, s, i);
     }
