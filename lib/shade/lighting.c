@@ -9,25 +9,31 @@
 
 #include <string.h>
 
-/* Rays from the surfaces start alike for all lights. */
-void lighting_begin_rays(lighting *l)
+/* Rays from a surface start alike for all lights. */
+static inline void begin_ray(lighting *l, uint32_t i)
 {
-    for (uint32_t i = 0; !l->begun && i < l->on->count; i++) {
-        const surface *s = &l->on->at[i];
-        pov_ray *ray = &l->own[i];
+    const hit *h = l->on->at[i].at;
 
-        world_origin_put(ray, s->at);
-        world_origin_reflect(ray, s->at, 1.0);
-    }
-    l->begun = true;
+    if (l->begun >> i & 1)
+        return;
+    world_origin_put(&l->own[i], h);
+    world_origin_reflect(&l->own[i], h, 1.0);
+    l->begun |= (uint64_t)1 << i;
+}
+
+/* Those of all lit surfaces. */
+static void begin_rays(lighting *l)
+{
+    for (uint32_t k = 0; k < l->finishes.count; k++)
+        begin_ray(l, l->finishes.lit[k]);
 }
 
 void lighting_put_rays(lighting *l)
 {
-    lighting_begin_rays(l);
     for (uint32_t k = 0; k < l->count; k++) {
         const uint32_t i = l->of[k];
 
+        begin_ray(l, i);
         l->own[i].dir = lanes_at(l->dir, i);
         l->rays[k] = &l->own[i];
     }
@@ -142,7 +148,7 @@ static bool arrive(lighting *l, const scene_light *from, light_sample *s, light_
     grazing = brdf_cosines(s, g, &in->dir, lanes_whole(at.n));
     l->sides = sided || grazing;
     if (l->sides)
-        lighting_begin_rays(l);
+        begin_rays(l);
     if (sided)
         shadow_name_sides(l, l->finishes.lit, l->finishes.count, &in->dir);
     else if (grazing)
@@ -185,7 +191,8 @@ static void begin(lighting *l, shade_context *c, surfaces *on)
     l->context = c;
     l->on = on;
     l->glossy = on->count == 0 || on->at[0].from->gathers == 0;   /* paths of a batch have the same history */
-    l->begun = l->named = false;
+    l->begun = 0;
+    l->named = false;
     memset(&on->lit, 0, sizeof on->lit);
     brdf_begin(&l->finishes, c->scene->model, on, 0);
 }
@@ -414,7 +421,8 @@ static void begin_stacks(lighting *l, shade_context *c, surfaces *on, lit_stacks
     l->context = c;
     l->on = on;
     l->glossy = true;
-    l->begun = l->named = false;
+    l->begun = 0;
+    l->named = false;
     l->finishes.kinds = l->finishes.count = 0;
     out->levels = 1;
     for (uint32_t i = 0; i < (on->alike ? 1 : on->count); i++) {

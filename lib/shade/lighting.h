@@ -13,7 +13,7 @@ typedef struct lighting {
     uint32_t count;
     const pov_ray *rays[BATCH_MAX];   /* those to the light, once they are put */
     const vec_lanes *dir;        /* their directions, by lane */
-    bool begun;                  /* their starts are in `own` */
+    uint64_t begun;              /* surfaces whose rays have their starts in `own` */
     bool named;                  /* `origin` and `excluded` are those of the surfaces: see lane_rays */
     bool sides;                  /* what is known of the sides that rays go to is in `own` alone */
     uint32_t origin[BATCH_MAX], excluded[BATCH_MAX];
@@ -41,8 +41,7 @@ static inline light_points lighting_points(const lighting *l)
     return at;
 }
 
-/* Put the starts of rays; those of one light, with their directions. */
-void lighting_begin_rays(lighting *l);
+/* Put the rays to one light. */
 void lighting_put_rays(lighting *l);
 /* Find diffuse light and highlights of all visible lights: `lit` of the surfaces. */
 void light_gather(lighting *l, shade_context *c, surfaces *on);
