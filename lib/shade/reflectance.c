@@ -243,8 +243,8 @@ SIMD_CLONES static void find_filters(const reflectances *restrict m, colour own,
     }
 }
 
-/* All surfaces, which have this appearance. */
-static void set_alike(const model *m, surfaces *s, const appearance *a, float through)
+/* All surfaces, which have this appearance. filtered: something asks what goes through them. */
+static void set_alike(const model *m, surfaces *s, const appearance *a, float through, bool filtered)
 {
     const reflectances *r = &s->reflectances;
     const bool conserves = a->finish->conserve_energy, changes = conserves || through != 1.0f;
@@ -256,6 +256,8 @@ static void set_alike(const model *m, surfaces *s, const appearance *a, float th
 
         s->reflection[i] = mirrored;
     }
+    if (!filtered)
+        return;
     if (changes)
         find_filters(r, a->onward.filter.by, conserves, through, r->count, &f);
     for (uint32_t i = 0; i < r->count; i++) {
@@ -293,7 +295,7 @@ static void set_all(const shade_context *c, surfaces *s, bool layered)
 
     find_all(m, c->scene->model);
     if (same && m->held->finish->irid.amount == 0.0f) {
-        set_alike(c->scene->model, s, m->held, layered ? 1.0f : m->held->finish->refraction);
+        set_alike(c->scene->model, s, m->held, layered ? 1.0f : m->held->finish->refraction, layered || m->held->transmissive);
         return;
     }
     for (uint32_t k = 0; k < m->count; k++) {
