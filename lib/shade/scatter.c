@@ -47,9 +47,9 @@ static inline bool is_rare(rarities r) { return r.fading || r.dispersion || r.di
 /* ---- reflected rays ---- */
 
 /* NULL: no memory. */
-static inline batch *branch_of(scattering *to, branches *list, const surface *s)
+static inline batch *branch_of(scattering *to, rarities has, branches *list, const surface *s)
 {
-    batch *b = batch_branch(to->queue, to->context->env, list, s->from->lane);
+    batch *b = has.single ? list->items[0] : batch_branch(to->queue, to->context->env, list, s->from->lane);
 
     if (!b)
         to->context->failed = true;
@@ -82,7 +82,7 @@ static inline void reflect(scattering *to, rarities has, const surface *s, uint3
 
     if (!passes_cutoff(&to->limits, s->from, &factor, to->limits.level))
         return;
-    b = branch_of(to, &to->queue->mirrored, s);
+    b = branch_of(to, has, &to->queue->mirrored, s);
     if (!b)
         return;
     finish_reflected(to, has, b, spawn(b, s, lanes_at(to->on->geometry.mirrored, lane), factor, true), s, lane);
@@ -170,7 +170,7 @@ static inline path *spawn_across(scattering *to, rarities has, const surface *s,
         return NULL;
     if (has.fading)
         factor.by = colour_mul(factor.by, s->faded);
-    b = branch_of(to, &to->queue->transmitted, s);
+    b = branch_of(to, has, &to->queue->transmitted, s);
     if (!b)
         return NULL;
     next = spawn(b, s, direction, factor, deeper);
@@ -418,7 +418,7 @@ static inline bool refracts(const appearance *a) { return a->transmissive && !a-
 /* Surfaces of one appearance, that refract. */
 static void split_plain(scattering *to, const interfaces *p)
 {
-    const rarities none = { false, false, false, false, false };
+    const rarities none = { .single = true };
     const surfaces *on = to->on;
     const sources all = sources_of(on, on->at[0].appearance);
     const surface *s = on->at;
@@ -463,7 +463,7 @@ static scattering begin(shade_context *c, const surfaces *on, batch_queue *q)
     const float weight = photons ? photons->bailout : (float)m->adc_bailout;
     const limits l = { level, m->opaque_last_level ? level : INT_MAX, weight, 0, 0 };
     const plan *p = c->scene->plan;
-    const rarities has = { p->fading, p->dispersion, c->scene->dims, c->alpha != NULL, p->hidden && !photons };
+    const rarities has = { p->fading, p->dispersion, c->scene->dims, c->alpha != NULL, p->hidden && !photons, false };
     const scattering to = { c, on, q, l, has, 0, 0 };
 
     return to;

@@ -14,8 +14,8 @@ typedef struct limits {
 } limits;
 
 /* What few scenes have: interiors of these kinds, fog, alpha, rays, not photons, that do not see all surfaces. Loops are compiled for
- * none of these, too. */
-typedef struct rarities { bool fading, dispersion, dims, alpha, hidden; } rarities;
+ * none of these, too. single: no surface sends two reflected paths, or two transmitted ones. */
+typedef struct rarities { bool fading, dispersion, dims, alpha, hidden, single; } rarities;
 
 /* Rays that continue from a batch's surfaces: source, targets, and limits. */
 typedef struct scattering {

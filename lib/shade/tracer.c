@@ -150,6 +150,44 @@ static void shade_layers(pov_tracer *t, colour *out)
     }
 }
 
+/* What a layer gives of light, in all lanes. */
+SIMD_CLONES static void weigh(colour_lanes *restrict lit, colour emitted, colour by, uint32_t n)
+{
+    for (uint32_t i = 0; i < n; i++) {
+        lit->red[i] = by.r * (emitted.r + lit->red[i]);
+        lit->green[i] = by.g * (emitted.g + lit->green[i]);
+        lit->blue[i] = by.b * (emitted.b + lit->blue[i]);
+    }
+}
+
+/* Add what layers of surfaces give, which all have so many of them. A sum that is finite is one of finite terms. */
+static inline void add_layers(const surfaces *s, const colour_lanes *given, uint32_t levels, colour *out)
+{
+    for (uint32_t i = 0; i < s->count; i++) {
+        const path *p = s->at[i].from;
+        colour sum = out[p->lane];
+
+        for (uint32_t k = 0; k < levels; k++)
+            sum = colour_add(sum, colour_mul(p->factor.by, colour_lane(&given[k], i)));
+        if (isfinite(sum.r + sum.g + sum.b))
+            out[p->lane] = sum;
+        else
+            for (uint32_t k = 0; k < levels; k++)
+                accumulate(p, colour_lane(&given[k], i), out);
+    }
+}
+
+static void add_surfaces(surfaces *s, colour *out)
+{
+    if (s->alike && s->count > 0) {
+        weigh(&s->lit, s->at[0].appearance->emitted, colour_of(1.0f, 1.0f, 1.0f), lanes_whole(s->count));
+        add_layers(s, &s->lit, 1, out);
+        return;
+    }
+    for (uint32_t i = 0; i < s->count; i++)
+        accumulate(s->at[i].from, colour_add(s->at[i].appearance->emitted, colour_lane(&s->lit, i)), out);
+}
+
 /* What surfaces of one term each give. */
 static void shade_surfaces(pov_tracer *t, colour *out)
 {
@@ -158,8 +196,7 @@ static void shade_surfaces(pov_tracer *t, colour *out)
 
     t->lighting.own = t->queue.mirrored.items[0]->own;
     light_gather(&t->lighting, c, s);
-    for (uint32_t i = 0; i < s->count; i++)
-        accumulate(s->at[i].from, colour_add(s->at[i].appearance->emitted, colour_lane(&s->lit, i)), out);
+    add_surfaces(s, out);
     scatter(c, s, &t->queue);
     if (c->scene->plan->radiosity)
         gather_begin(c, s, &t->queue);
@@ -177,33 +214,12 @@ static void add_stack(const surface *s, const lit_stacks *from, uint32_t lane, c
     }
 }
 
-/* What a layer gives, as above, in all lanes. */
-SIMD_CLONES static void weigh(colour_lanes *restrict lit, colour emitted, colour by, uint32_t n)
-{
-    for (uint32_t i = 0; i < n; i++) {
-        lit->red[i] = by.r * (emitted.r + lit->red[i]);
-        lit->green[i] = by.g * (emitted.g + lit->green[i]);
-        lit->blue[i] = by.b * (emitted.b + lit->blue[i]);
-    }
-}
-
-/* The same for surfaces of one stack. A sum that is finite is one of finite terms. */
+/* The same for surfaces of one stack. */
 static void add_stacks_alike(const surfaces *s, const stack *of, lit_stacks *from, colour *out)
 {
     for (uint32_t k = 0; k < of->count; k++)
         weigh(&from->lit[k], of->layers[k].appearance.emitted, of->layers[k].of.by, lanes_whole(s->count));
-    for (uint32_t i = 0; i < s->count; i++) {
-        const path *p = s->at[i].from;
-        colour sum = out[p->lane];
-
-        for (uint32_t k = 0; k < of->count; k++)
-            sum = colour_add(sum, colour_mul(p->factor.by, colour_lane(&from->lit[k], i)));
-        if (isfinite(sum.r + sum.g + sum.b))
-            out[p->lane] = sum;
-        else
-            for (uint32_t k = 0; k < of->count; k++)
-                accumulate(p, colour_lane(&from->lit[k], i), out);
-    }
+    add_layers(s, from->lit, of->count, out);
 }
 
 static void add_stacks(const surfaces *s, const lit_stacks *from, colour *out)
