@@ -1,5 +1,6 @@
 #include "render/budget.h"
 
+#include "render/budget_singles.h"
 #include "render/estimate.h"
 #include "render/sample.h"
 
@@ -59,6 +60,8 @@ static bool set_all(cells *c, const settings *s, uint32_t target)
 {
     bool more = false;
 
+    if (c->singles)
+        return budget_singles_all(c, target);
     for (size_t i = 0; i < GROUPS * c->count; i++) {
         group *at = &c->groups[i];
 
@@ -72,7 +75,7 @@ static bool next_uniform(cells *c, const settings *s, const pov_pass *now)
 {
     uint32_t n = (uint32_t)now->spp_max, next = next_rung(n);
 
-    if (s->target_error > 0.0 && now->est_rmse > 0.0 && n >= BUDGET_LEAST) {
+    if (s->target_error > 0.0 && now->est_rmse > 0.0 && n >= (uint32_t)budget_least(c)) {
         double ratio = now->est_rmse / (aim * estimate_asked(s, now));
         double needed = fmax(n * ratio * ratio, n + 2.0);
 
@@ -150,16 +153,13 @@ static void foresee(const cells *c, size_t number, double worth, double threshol
     o->square += square;
 }
 
-/* The mean count that a pass aims at: this or less, but not below `fewest`, where that suffices for the requested error
- * (`square`; 0: none). */
-typedef struct goal { double mean, fewest, square; } goal;
-
 /* A pass adds at least a sixteenth, because each pass has a cost of its own; and no pass ends for the requested error
- * before BUDGET_LEAST. */
-static goal goal_of(const settings *s, const pov_pass *now)
+ * before the least mean that may. */
+static goal goal_of(const cells *c, const settings *s, const pov_pass *now)
 {
-    double mean = fmin(1.5 * now->spp_mean, s->samples), error = aim * estimate_asked(s, now);
-    double fewest = fmax(1.0625 * now->spp_mean, BUDGET_LEAST);
+    const double growth = c->singles ? 2.0 : 1.5;
+    double mean = fmin(growth * now->spp_mean, s->samples), error = aim * estimate_asked(s, now);
+    double fewest = fmax(1.0625 * now->spp_mean, budget_least(c));
 
     return (goal){ mean, fmin(mean, fewest), error * error };
 }
@@ -218,10 +218,13 @@ static double find_threshold(const cells *c, const double *worths, const goal *g
 
 static bool next_adaptive(cells *c, const settings *s, const pov_pass *now, double *worths)
 {
-    const goal g = goal_of(s, now);
+    const goal g = goal_of(c, s, now);
     const uint32_t least = (uint32_t)(g.mean / LAG);
     double threshold;
     bool more = false;
+
+    if (c->singles)
+        return budget_singles_next(c, &g, least) || set_all(c, s, 2 * (uint32_t)now->spp_max);
 
     for (size_t i = 0; i < GROUPS * c->count; i++)
         worths[i] = error_near(c, i) / c->groups[i].count;
@@ -237,25 +240,27 @@ static bool next_adaptive(cells *c, const settings *s, const pov_pass *now, doub
 
 bool budget_next(cells *c, const settings *s, const pov_pass *now, double *scratch)
 {
-    if (s->adaptive && now->spp_mean >= BUDGET_PILOT)
+    const int first = budget_pilot(c);
+
+    if (s->adaptive && now->spp_mean >= first)
         return next_adaptive(c, s, now, scratch);
-    if (s->adaptive && s->samples > BUDGET_PILOT) {
+    if (s->adaptive && s->samples > first) {
         settings pilot = *s;
 
-        pilot.samples = BUDGET_PILOT;
+        pilot.samples = first;
         return next_uniform(c, &pilot, now);
     }
     return next_uniform(c, s, now);
 }
 
-int budget_blind_end(const settings *s)
+int budget_blind_end(const cells *c, const settings *s)
 {
-    const int end = s->adaptive ? BUDGET_PILOT : s->target_error > 0.0 ? BUDGET_LEAST : s->samples;
+    const int end = s->adaptive ? budget_pilot(c) : s->target_error > 0.0 ? BUDGET_LEAST : s->samples;
 
     return end < s->samples ? end : s->samples;
 }
 
 bool budget_blind(cells *c, const settings *s, const pov_pass *now)
 {
-    return now->spp_max < budget_blind_end(s) && budget_next(c, s, now, NULL);
+    return now->spp_max < budget_blind_end(c, s) && budget_next(c, s, now, NULL);
 }

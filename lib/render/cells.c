@@ -3,6 +3,7 @@
 #include "base/simd.h"
 #include "render/sample.h"
 
+#include <float.h>
 #include <math.h>
 #include <string.h>
 
@@ -35,6 +36,9 @@ bool cells_count_time(cells *c, const env *e)
 
 void cells_free(cells *c, const env *e)
 {
+    env_free(e, c->singles);
+    env_free(e, c->planes);
+    env_free(e, c->ranks);
     env_free(e, c->groups);
     env_free(e, c->shown);
     env_free(e, c->seconds);
@@ -44,6 +48,8 @@ void cells_free(cells *c, const env *e)
 void cells_clear(cells *c)
 {
     memset(c->groups, 0, c->count * GROUPS * sizeof *c->groups);
+    if (c->singles)
+        memset(c->singles, 0, c->count * GROUPS * sizeof *c->singles);
     if (c->shown)
         memset(c->shown, 0, c->count * GROUPS * sizeof *c->shown);
     if (c->seconds)
@@ -77,6 +83,59 @@ size_t cells_pixels_of_edge(const cells *c, size_t number)
     return ((size_t)r.width * (size_t)r.height + 1 - number % GROUPS) / GROUPS;
 }
 
+size_t singles_sum(const uint8_t *numbers)
+{
+    size_t sum = 0;
+
+    for (int i = 0; i < CELL_EDGE * CELL_EDGE / GROUPS; i++)
+        sum += single_count(numbers[i]);
+    return sum;
+}
+
+size_t cells_samples(const cells *c, size_t number)
+{
+    return c->singles ? singles_sum(c->singles[number].has) : cells_pixels(c, number) * c->groups[number].count;
+}
+
+size_t cells_samples_due(const cells *c, size_t number)
+{
+    return c->singles ? singles_sum(c->singles[number].gets) : cells_pixels(c, number) * c->groups[number].target;
+}
+
+bool cells_are_due(const cells *c, size_t number)
+{
+    const singles *s = &c->singles[number];
+
+    return c->singles ? memcmp(s->has, s->gets, sizeof s->has) != 0 : c->groups[number].target > c->groups[number].count;
+}
+
+uint32_t cells_fewest(const cells *c, size_t number)
+{
+    uint8_t fewest = UINT8_MAX;
+
+    if (!c->singles)
+        return c->groups[number].count;
+    for (int i = 0; i < CELL_EDGE * CELL_EDGE / GROUPS; i++)
+        if (c->singles[number].has[i] > 0 && c->singles[number].has[i] < fewest)
+            fewest = c->singles[number].has[i];
+    return fewest < UINT8_MAX ? single_count(fewest) : 0;
+}
+
+bool cells_are_singles_possible(const cells *c, size_t number, const uint8_t *has, const uint8_t *gets, bool measured)
+{
+    const size_t cell = number / GROUPS;
+    const pov_rect r = cells_rect(c, (int)(cell % (size_t)c->columns), (int)(cell / (size_t)c->columns));
+
+    for (int i = 0; i < CELL_EDGE * CELL_EDGE / GROUPS; i++) {
+        const int y = i / (CELL_EDGE / GROUPS), x = i % (CELL_EDGE / GROUPS) * GROUPS + (int)(((size_t)y + number) & 1);
+        const bool there = x < r.width && y < r.height;
+
+        if (has[i] > gets[i] || single_count(gets[i]) > SAMPLES_MAX || (there ? measured && has[i] == 0 : gets[i] > 0))
+            return false;
+    }
+    return true;
+}
+
 double cells_contrast(const showing *g, size_t pixels)
 {
     double n = (double)pixels, mean_square = 0.0;
@@ -101,32 +160,36 @@ static double *row_of_halves(const cells *c, pov_rect tile, int y)
 
 static size_t size_of_row(const cells *c, pov_rect tile) { return (size_t)c->sums * sizeof *c->halves * (size_t)tile.width; }
 
-void cells_take(const cells *c, pov_rect tile, group *groups, showing *shown, double *halves)
+void cells_take(const cells *c, pov_rect tile, refinement *into)
 {
     cell_range r = cells_of(tile);
 
     for (int row = 0; row < r.rows; row++) {
         const size_t from = row_of_groups(c, r, row), to = GROUPS * (size_t)row * (size_t)r.columns;
 
-        memcpy(groups + to, c->groups + from, GROUPS * (size_t)r.columns * sizeof *groups);
-        memcpy(shown + to, c->shown + from, GROUPS * (size_t)r.columns * sizeof *shown);
+        memcpy(into->groups + to, c->groups + from, GROUPS * (size_t)r.columns * sizeof *c->groups);
+        memcpy(into->shown + to, c->shown + from, GROUPS * (size_t)r.columns * sizeof *c->shown);
+        if (c->singles)
+            memcpy(into->singles + to, c->singles + from, GROUPS * (size_t)r.columns * sizeof *c->singles);
     }
     for (int y = 0; y < tile.height; y++)
-        memcpy(halves + c->sums * y * tile.width, row_of_halves(c, tile, y), size_of_row(c, tile));
+        memcpy(into->halves + c->sums * y * tile.width, row_of_halves(c, tile, y), size_of_row(c, tile));
 }
 
-void cells_put(cells *c, pov_rect tile, const group *groups, const showing *shown, const double *halves)
+void cells_put(cells *c, pov_rect tile, const refinement *of)
 {
     cell_range r = cells_of(tile);
 
     for (int row = 0; row < r.rows; row++) {
         const size_t to = row_of_groups(c, r, row), from = GROUPS * (size_t)row * (size_t)r.columns;
 
-        memcpy(c->groups + to, groups + from, GROUPS * (size_t)r.columns * sizeof *groups);
-        memcpy(c->shown + to, shown + from, GROUPS * (size_t)r.columns * sizeof *shown);
+        memcpy(c->groups + to, of->groups + from, GROUPS * (size_t)r.columns * sizeof *c->groups);
+        memcpy(c->shown + to, of->shown + from, GROUPS * (size_t)r.columns * sizeof *c->shown);
+        if (c->singles)
+            memcpy(c->singles + to, of->singles + from, GROUPS * (size_t)r.columns * sizeof *c->singles);
     }
     for (int y = 0; y < tile.height; y++)
-        memcpy(row_of_halves(c, tile, y), halves + c->sums * y * tile.width, size_of_row(c, tile));
+        memcpy(row_of_halves(c, tile, y), of->halves + c->sums * y * tile.width, size_of_row(c, tile));
 }
 
 void cells_spend(cells *c, pov_rect tile, const double *seconds)
@@ -260,6 +323,12 @@ void cells_first(cells *c, pov_rect tile, const framebuffer *f, const encoding *
             group *first = &c->groups[row_of_groups(c, r, row) + (size_t)i];
             first->count = first->target = 1;
         }
+    for (int y = 0; c->singles && y < tile.height; y++)
+        for (int x = 0; x < tile.width; x++) {
+            singles *first = &c->singles[group_of(c->columns, tile.x + x, tile.y + y)];
+
+            first->has[place_of(x, y)] = first->gets[place_of(x, y)] = 1;
+        }
     for (int y = 0; y < tile.height; y++) {
         const float *row = framebuffer_pixels(f, tile.x, tile.y + y), *linear;
 
@@ -289,20 +358,29 @@ static void find_mean(const cells *c, const double *halves, const share *n, floa
     out[3] = copy[3] = c->sums > OPAQUE_SUMS ? (float)(halves[6] / both) : 1.0f;
 }
 
-/* A group whose count has grown is measured again from its halves. */
-void cells_measure(const cells *c, pov_rect tile, const encoding *e, group *groups, showing *shown,
-                   const double *halves, float *pixels)
+/* The least square that is not zero, so that a pixel whose halves differ is known to do so. */
+static float narrowed(double square) { return square > 0.0 ? fmaxf((float)square, FLT_MIN) : 0.0f; }
+
+/* Samples of a pixel of the tile. */
+static uint32_t count_of(const cells *c, const refinement *r, size_t number, int x, int y)
 {
-    cell_range r = cells_of(tile);
+    return c->singles ? single_count(r->singles[number].has[place_of(x, y)]) : r->groups[number].count;
+}
+
+/* A group whose count has grown is measured again from its halves. */
+void cells_measure(const cells *c, pov_rect tile, const encoding *e, refinement *of, float *pixels)
+{
+    const cell_range r = cells_of(tile);
+    showing *shown = of->shown;
 
     for (int i = 0; i < GROUPS * r.columns * r.rows; i++)
-        groups[i].clipped = 0;
+        of->groups[i].clipped = 0;
     memset(shown, 0, GROUPS * (size_t)r.columns * (size_t)r.rows * sizeof *shown);
     for (int y = 0; y < tile.height; y++)
         for (int x = 0; x < tile.width; x++) {
             const size_t into = group_of(r.columns, x, y);
-            const double *h = halves + c->sums * (y * tile.width + x);
-            const share n = share_of(groups[into].count);
+            const double *h = of->halves + c->sums * (y * tile.width + x);
+            const share n = share_of(count_of(c, of, into, x, y));
             const double square = square_of_error(e, h, &n);
             float *out = pixels + 4 * (y * tile.width + x), linear[4];
 
@@ -310,7 +388,9 @@ void cells_measure(const cells *c, pov_rect tile, const encoding *e, group *grou
             encoding_linear(e, linear, 1);
             shown[into].square += square;
             shown[into].fourth += c->alike ? 0.0 : square * square;
-            groups[into].clipped += is_clipped(linear);
+            if (c->singles)
+                of->singles[into].square[place_of(x, y)] = narrowed(square);
+            of->groups[into].clipped += is_clipped(linear);
             show(c, &shown[into], tile.x + x, tile.y + y, linear);
         }
     for (int i = 0; c->alike && i < GROUPS * r.columns * r.rows; i++)

@@ -28,10 +28,23 @@ typedef struct showing {
     double off_square, off_max;  /* against the reference */
 } showing;
 
+/* Where each pixel has as many samples as it needs: by its place in the group. */
+typedef struct singles {
+    uint8_t has[CELL_EDGE * CELL_EDGE / GROUPS], gets[CELL_EDGE * CELL_EDGE / GROUPS];   /* samples now and after this pass: 1 + their binary
+                                                                                          * logarithm; 0: none, or no such pixel */
+    float square[CELL_EDGE * CELL_EDGE / GROUPS];   /* estimated squared error */
+} singles;
+
+/* Of some pixels: their samples, and the sum of their squared errors. */
+typedef struct tally { double count, square; } tally;
+
 typedef struct cells {
     int width, height, columns, rows;
     size_t count;
     group *groups;               /* GROUPS of each cell, one after the other */
+    singles *singles;            /* the same; a group's count and target are then the most of its pixels; NULL: pixels of a group are alike */
+    float *planes;               /* budget_singles.c's, and so are `ranks`; NULL as these */
+    tally *ranks;
     showing *shown;              /* the same; NULL when a pixel has one sample and there is no reference */
     double *seconds;             /* processor seconds of each cell; NULL: not measured */
     int sums;                    /* numbers a pixel in `halves` */
@@ -44,6 +57,14 @@ typedef struct cells {
 
 /* The part of a picture, in cells, that a tile covers. */
 typedef struct cell_range { int column, row, columns, rows; } cell_range;
+
+/* A tile's part of all that. */
+typedef struct refinement {
+    double *halves;
+    group groups[GROUPS * TILE_CELLS_MAX];
+    showing shown[GROUPS * TILE_CELLS_MAX];
+    singles singles[GROUPS * TILE_CELLS_MAX];
+} refinement;
 
 /* False: no memory. */
 bool cells_make(cells *c, const env *e, const settings *s);
@@ -78,13 +99,31 @@ static inline size_t group_of(int columns, int x, int y)
     return GROUPS * ((size_t)(y / CELL_EDGE) * (size_t)columns + (size_t)(x / CELL_EDGE)) + (size_t)((x ^ y) & 1);
 }
 
-/* Copy the data of a tile out to buffers of its own, and back in. */
-void cells_take(const cells *c, pov_rect tile, group *groups, showing *shown, double *halves);
-void cells_put(cells *c, pov_rect tile, const group *groups, const showing *shown, const double *halves);
+/* A pixel's place in its group. */
+static inline int place_of(int x, int y) { return y % CELL_EDGE * (CELL_EDGE / GROUPS) + x % CELL_EDGE / GROUPS; }
+
+static inline uint32_t single_count(uint8_t number) { return number > 0 ? 1u << (number - 1) : 0; }
+size_t singles_sum(const uint8_t *numbers);
+/* Samples of all pixels of a group now and after this pass, and those of the pixel that has the fewest. */
+size_t cells_samples(const cells *c, size_t number);
+size_t cells_samples_due(const cells *c, size_t number);
+bool cells_are_due(const cells *c, size_t number);
+uint32_t cells_fewest(const cells *c, size_t number);
+/* Can `has` and `gets` be those of single pixels of a group? measured: all have samples. */
+bool cells_are_singles_possible(const cells *c, size_t number, const uint8_t *has, const uint8_t *gets, bool measured);
+static inline uint32_t cells_count(const cells *c, int x, int y)
+{
+    const size_t number = group_of(c->columns, x, y);
+
+    return c->singles ? single_count(c->singles[number].has[place_of(x, y)]) : c->groups[number].count;
+}
+
+/* Copy the data of a tile out, and back in. */
+void cells_take(const cells *c, pov_rect tile, refinement *r);
+void cells_put(cells *c, pov_rect tile, const refinement *r);
 /* The first sample of each pixel of a tile is complete: it becomes the first half's. */
 void cells_first(cells *c, pov_rect tile, const framebuffer *f, const encoding *e);
 /* Compute the tile's pixels from its halves, four channels each, and measure its cells. */
-void cells_measure(const cells *c, pov_rect tile, const encoding *e, group *groups, showing *shown,
-                   const double *halves, float *pixels);
+void cells_measure(const cells *c, pov_rect tile, const encoding *e, refinement *r, float *pixels);
 
 #endif

@@ -13,7 +13,7 @@
 #include <string.h>
 
 /* A checkpoint is a memory image for the machine and the version that wrote it: both are checked, and so is every byte.
- * In order: identity, state, rows, counts and targets of the groups. Then, while lattices are traced, the finished
+ * In order: identity, state, rows, counts and targets of the groups, and of single pixels. Then, while lattices are traced, the finished
  * passes of each square and the pixels; afterwards the halves. The last part is the hash of all that. */
 
 enum { SQUARE = TILE_EDGE_MIN };
@@ -57,9 +57,16 @@ static size_t size_of_halves(const pov_job *job) { return (size_t)job->cells.sum
 
 /* ---- saving ---- */
 
+static size_t size_of_groups(const pov_job *job)
+{
+    const singles *s = job->cells.singles;
+
+    return GROUPS * job->cells.count * (8 + (s ? sizeof s->has + sizeof s->gets : 0));
+}
+
 static size_t size_of(const pov_job *job, size_t rows, bool refining)
 {
-    size_t size = sizeof(identity) + sizeof(state) + rows * sizeof(pov_pass) + 8 * GROUPS * job->cells.count;
+    size_t size = sizeof(identity) + sizeof(state) + rows * sizeof(pov_pass) + size_of_groups(job);
 
     size += refining ? size_of_halves(job) : square_count(job) + 4 * sizeof(float) * pixel_count(job);
     return size + sizeof(uint64_t);
@@ -100,6 +107,10 @@ static void image(const pov_job *job, unsigned char *to)
     for (size_t i = 0; i < GROUPS * job->cells.count; i++) {
         to = put(to, &job->cells.groups[i].count, 4);
         to = put(to, &job->cells.groups[i].target, 4);
+    }
+    for (size_t i = 0; job->cells.singles && i < GROUPS * job->cells.count; i++) {
+        to = put(to, job->cells.singles[i].has, sizeof job->cells.singles->has);
+        to = put(to, job->cells.singles[i].gets, sizeof job->cells.singles->gets);
     }
     if (job->refining) {
         put(to, job->cells.halves, size_of_halves(job));
@@ -178,6 +189,9 @@ static bool are_groups_possible(const pov_job *job, const unsigned char *at, boo
         if (count > target || target > SAMPLES_MAX || (refining && count < 1))
             return false;
     }
+    for (size_t i = 0; job->cells.singles && i < GROUPS * job->cells.count; i++, at += 2 * sizeof job->cells.singles->has)
+        if (!cells_are_singles_possible(&job->cells, i, at, at + sizeof job->cells.singles->has, refining))
+            return false;
     return true;
 }
 
@@ -211,7 +225,7 @@ static pov_status check_possible(const pov_job *job, const char *file, const cha
     at += s.rows * sizeof(pov_pass);
     possible = s.elapsed >= 0.0 && isfinite(s.elapsed) && s.cpu >= 0.0 && isfinite(s.cpu) &&
                are_groups_possible(job, at, s.refining);
-    at += 8 * GROUPS * job->cells.count;
+    at += size_of_groups(job);
     possible = possible && (s.refining ? are_halves_possible(job, at) : are_lattices_possible(job, at));
     return possible ? POV_OK : err_file(err, POV_E_IO, file, "this checkpoint holds numbers that no render leaves");
 }
@@ -250,14 +264,14 @@ static void take_halves(pov_job *job, const unsigned char *halves, refinement *p
     for (size_t i = 0; i < job->tiles.count; i++) {
         pov_rect r = tiles_rect(&job->tiles, i);
 
-        cells_take(&job->cells, r, part->groups, part->shown, part->halves);
-        cells_measure(&job->cells, r, &job->encoding, part->groups, part->shown, part->halves, pixels);
-        cells_put(&job->cells, r, part->groups, part->shown, part->halves);
+        cells_take(&job->cells, r, part);
+        cells_measure(&job->cells, r, &job->encoding, part, pixels);
+        cells_put(&job->cells, r, part);
         job->framebuffer.done[i] = (uint8_t)((1u << job->framebuffer.passes) - 1u);
         framebuffer_replace(&job->framebuffer, i, pixels);
     }
     for (size_t i = 0; i < GROUPS * job->cells.count; i++)
-        job->done_pixels += cells_pixels(&job->cells, i) * job->cells.groups[i].count;
+        job->done_pixels += cells_samples(&job->cells, i);
     passes_queue(job);
 }
 
@@ -291,6 +305,10 @@ static pov_status take(pov_job *job, const unsigned char *at, pov_error *err)
         for (size_t i = 0; i < GROUPS * job->cells.count; i++, at += 8) {
             memcpy(&job->cells.groups[i].count, at, 4);
             memcpy(&job->cells.groups[i].target, at + 4, 4);
+        }
+        for (size_t i = 0; job->cells.singles && i < GROUPS * job->cells.count; i++, at += 2 * sizeof job->cells.singles->has) {
+            memcpy(job->cells.singles[i].has, at, sizeof job->cells.singles->has);
+            memcpy(job->cells.singles[i].gets, at + sizeof job->cells.singles->has, sizeof job->cells.singles->gets);
         }
         job->earlier = s.elapsed;
         job->cpu = s.cpu;

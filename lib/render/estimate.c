@@ -55,13 +55,16 @@ static void band_of_nothing(pov_pass *row, double fewest)
     row->est_ci95_hi = fmin(3.0 / fewest, 1.0);
 }
 
-static void add_group(sums *s, const group *g, size_t pixels, pov_pass *row)
+static void add_group(sums *s, const cells *c, size_t number, size_t pixels, pov_pass *row)
 {
+    const group *g = &c->groups[number];
+    const uint32_t fewest = cells_fewest(c, number);
+
     if (pixels == 0)
         return;
-    s->samples += (double)pixels * g->count;
-    s->known = s->known && g->count > 1;
-    s->whole = s->whole && g->count > 0;
+    s->samples += (double)cells_samples(c, number);
+    s->known = s->known && fewest > 1;
+    s->whole = s->whole && fewest > 0;
     row->clipped += g->clipped;
     row->spp_max = (int)g->count > row->spp_max ? (int)g->count : row->spp_max;
 }
@@ -80,9 +83,9 @@ static void add_cell(sums *s, const cells *c, int column, int line, double limit
     const pov_rect r = cells_rect(c, column, line);
     const size_t pixels = (size_t)r.width * (size_t)r.height, second = pixels / 2;
 
-    add_group(s, &c->groups[first], pixels - second, row);
-    add_group(s, &c->groups[first + 1], second, row);
-    s->fewest = fmin(s->fewest, (double)(pixels - second) * c->groups[first].count + (double)second * c->groups[first + 1].count);
+    add_group(s, c, first, pixels - second, row);
+    add_group(s, c, first + 1, second, row);
+    s->fewest = fmin(s->fewest, (double)(cells_samples(c, first) + cells_samples(c, first + 1)));
     if (!c->shown)
         return;
     add_shown(s, &c->shown[first], row);

@@ -6,7 +6,7 @@
 #include <stdio.h>
 #include <string.h>
 
-enum { FORMAT = 6, ORDER = 0x01020304 };
+enum { FORMAT = 7, ORDER = 0x01020304 };
 
 static void identify_version(identity *id)
 {

@@ -2,7 +2,10 @@
 
 #include "base/clock.h"
 #include "base/err.h"
+#include "render/budget.h"
+#include "render/budget_singles.h"
 #include "render/meter.h"
+#include "render/raygen.h"
 
 #include <string.h>
 
@@ -19,6 +22,15 @@ static size_t pixels_of(const tiles *t)
         pixels += (size_t)r.width * (size_t)r.height;
     }
     return pixels > 0 ? pixels : 1;
+}
+
+/* Behind a lens, errors are where objects are not sharp, and cells have some of both. */
+static bool has_singles(const pov_job *job)
+{
+    const settings *s = &job->settings;
+
+    return raygen_has_lens(&job->camera) && s->adaptive && s->samples > BUDGET_PILOT_SINGLES && !job->cells.alike &&
+           s->crop.width >= BUDGET_SINGLES_LEAST_EDGE && s->crop.height >= BUDGET_SINGLES_LEAST_EDGE;
 }
 
 static pov_status make_parts(pov_job *job, int parts, pov_error *err)
@@ -38,6 +50,8 @@ static pov_status make_parts(pov_job *job, int parts, pov_error *err)
         return err_memory(err);
     if (job->scene)
         job->cells.alike = job->scene->plan->radiosity ? ALIKE_SETS : job->scene->plan->photons ? ALIKE_PHOTONS : 0;
+    if (job->scene && has_singles(job) && !budget_singles_make(&job->cells, job->env))
+        return err_memory(err);
     job->framebuffer.again = job->scene && job->scene->plan->radiosity;
     job->cells.reference = s->reference;
     job->cells.reference_clipped = s->reference_clipped;
@@ -78,6 +92,7 @@ static void free_parts(pov_job *job)
     env_free(job->env, job->queue);
     env_free(job->env, job->rows.items);
     env_free(job->env, job->wanted);
+    env_free(job->env, job->wanted_singles);
     env_free(job->env, job->joined);
     framebuffer_free(&job->framebuffer, job->env);
     tiles_free(&job->tiles, job->env);

@@ -25,6 +25,7 @@ struct pov_job {
     settings settings;
     identity *joined;            /* that of the parts; NULL: this job has its own */
     uint32_t *wanted;            /* a part's targets of all groups after this round; NULL: the first round */
+    singles *wanted_singles;     /* those of single pixels, in `gets`; NULL: as in cells */
     int round;                   /* of parts: 1, 2, ...; else 0 */
     char note[SETTINGS_NOTE];
     tiles tiles;

@@ -1,6 +1,7 @@
 #include "base/clock.h"
 #include "base/err.h"
 #include "base/file.h"
+#include "render/budget_singles.h"
 #include "render/job_state.h"
 #include "render/part.h"
 
@@ -71,6 +72,8 @@ static pov_status begin(joining *j, const part_head *head, pov_error *err)
     j->first = *head;
     j->job->settings.ends_early = head->id.ends_early != 0;
     j->job->cells.alike = head->alike == ALIKE_SETS || head->alike == ALIKE_PHOTONS ? head->alike : 0;
+    if (head->single && !budget_singles_make(&j->job->cells, j->job->env))
+        return err_memory(err);
     memcpy(j->job->note, head->note, sizeof head->note);
     j->rounds = env_alloc(j->env, (size_t)head->id.parts, sizeof *j->rounds);
     j->job->joined = env_alloc(j->env, 1, sizeof *j->job->joined);
@@ -85,7 +88,7 @@ static pov_status begin(joining *j, const part_head *head, pov_error *err)
 static bool are_of_one_picture(const part_head *a, const part_head *b)
 {
     return memcmp(&a->id, &b->id, sizeof a->id) == 0 && memcmp(a->note, b->note, sizeof a->note) == 0 &&
-           a->decodes_srgb == b->decodes_srgb && a->alike == b->alike && a->transfer == b->transfer &&
+           a->decodes_srgb == b->decodes_srgb && a->alike == b->alike && a->single == b->single && a->transfer == b->transfer &&
            memcmp(&a->decode, &b->decode, sizeof a->decode) == 0;
 }
 

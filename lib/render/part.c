@@ -20,6 +20,12 @@ static size_t groups_of(pov_rect tile)
     return GROUPS * (size_t)r.columns * (size_t)r.rows;
 }
 
+/* Bytes of the counts of a group. */
+static size_t size_of_group(const pov_job *job)
+{
+    return sizeof(uint32_t) + (job->cells.singles ? sizeof job->cells.singles->has : 0);
+}
+
 /* Bytes of a row of a tile. */
 static size_t size_of_row(const pov_job *job, pov_rect tile)
 {
@@ -30,7 +36,7 @@ static size_t size_of_tile(const pov_job *job, size_t number)
 {
     const pov_rect tile = tiles_rect(&job->tiles, number);
 
-    return groups_of(tile) * sizeof(uint32_t) + (size_t)tile.height * size_of_row(job, tile);
+    return groups_of(tile) * size_of_group(job) + (size_t)tile.height * size_of_row(job, tile);
 }
 
 static size_t size_of_part(const pov_job *job, const tiles *t)
@@ -44,7 +50,7 @@ static size_t size_of_part(const pov_job *job, const tiles *t)
 
 static size_t size_of_round(const pov_job *job)
 {
-    return sizeof(part_head) + GROUPS * job->cells.count * sizeof(uint32_t) + sizeof(uint64_t);
+    return sizeof(part_head) + GROUPS * job->cells.count * size_of_group(job) + sizeof(uint64_t);
 }
 
 /* A row of the job's halves or pixels, from (x, y) on. */
@@ -65,14 +71,25 @@ static size_t first_of_row(const pov_job *job, cell_range r, int row)
 
 /* ---- saving ---- */
 
+static unsigned char *put_counts(const pov_job *job, uint32_t count, const uint8_t *of_singles, unsigned char *to)
+{
+    memcpy(to, &count, sizeof count);
+    if (job->cells.singles)
+        memcpy(to + sizeof count, of_singles, sizeof job->cells.singles->has);
+    return to + size_of_group(job);
+}
+
 static unsigned char *put_tile(const pov_job *job, size_t number, unsigned char *to)
 {
     const pov_rect tile = tiles_rect(&job->tiles, number);
     const cell_range r = cells_of(tile);
 
     for (int row = 0; row < r.rows; row++)
-        for (int i = 0; i < GROUPS * r.columns; i++, to += sizeof(uint32_t))
-            memcpy(to, &job->cells.groups[first_of_row(job, r, row) + (size_t)i].count, sizeof(uint32_t));
+        for (int i = 0; i < GROUPS * r.columns; i++) {
+            const size_t at = first_of_row(job, r, row) + (size_t)i;
+
+            to = put_counts(job, job->cells.groups[at].count, job->cells.singles ? job->cells.singles[at].has : NULL, to);
+        }
     for (int y = 0; y < tile.height; y++, to += size_of_row(job, tile))
         memcpy(to, row_at(job, tile.x, tile.y + y), size_of_row(job, tile));
     return to;
@@ -89,6 +106,7 @@ static unsigned char *put_head(const pov_job *job, unsigned char *to)
     head.round = joined ? job->round + 1 : job->round;
     head.decodes_srgb = job->encoding.decodes_srgb;
     head.alike = job->cells.alike;
+    head.single = job->cells.singles != NULL;
     head.transfer = (int32_t)job->encoding.display.transfer;
     head.decode = job->encoding.decode;
     head.cpu = job->cpu;
@@ -102,8 +120,8 @@ static void image(const pov_job *job, unsigned char *to)
 {
     to = put_head(job, to);
     if (job->joined)
-        for (size_t i = 0; i < GROUPS * job->cells.count; i++, to += sizeof(uint32_t))
-            memcpy(to, &job->cells.groups[i].target, sizeof(uint32_t));
+        for (size_t i = 0; i < GROUPS * job->cells.count; i++)
+            to = put_counts(job, job->cells.groups[i].target, job->cells.singles ? job->cells.singles[i].gets : NULL, to);
     else
         for (size_t i = 0; i < job->tiles.own; i++)
             to = put_tile(job, job->tiles.order[i], to);
@@ -181,13 +199,24 @@ static bool are_halves_possible(const unsigned char *at, size_t count)
     return true;
 }
 
+static bool take_singles(pov_job *job, size_t number, const unsigned char *at)
+{
+    singles *s = &job->cells.singles[number];
+
+    if (!cells_are_singles_possible(&job->cells, number, at, job->wanted_singles ? job->wanted_singles[number].gets : at, true))
+        return false;
+    memcpy(s->has, at, sizeof s->has);
+    memcpy(s->gets, at, sizeof s->gets);
+    return true;
+}
+
 /* Counts of the groups of a tile; a count is at least one, and no more than the round wanted. */
 static const unsigned char *take_counts(pov_job *job, pov_rect tile, const unsigned char *at)
 {
     const cell_range r = cells_of(tile);
 
     for (int row = 0; row < r.rows; row++)
-        for (int i = 0; i < GROUPS * r.columns; i++, at += sizeof(uint32_t)) {
+        for (int i = 0; i < GROUPS * r.columns; i++, at += size_of_group(job)) {
             const size_t number = first_of_row(job, r, row) + (size_t)i;
             uint32_t count;
 
@@ -195,6 +224,8 @@ static const unsigned char *take_counts(pov_job *job, pov_rect tile, const unsig
             if (count < 1 || count > (uint32_t)SAMPLES_MAX || (job->wanted && count > job->wanted[number]))
                 return NULL;
             job->cells.groups[number].count = job->cells.groups[number].target = count;
+            if (job->cells.singles && !take_singles(job, number, at + sizeof count))
+                return NULL;
         }
     return at;
 }
@@ -207,9 +238,9 @@ static void show_tile(pov_job *job, size_t number, pov_rect tile, refinement *sc
         cells_first(&job->cells, tile, &job->framebuffer, &job->encoding);
         return;
     }
-    cells_take(&job->cells, tile, scratch->groups, scratch->shown, scratch->halves);
-    cells_measure(&job->cells, tile, &job->encoding, scratch->groups, scratch->shown, scratch->halves, pixels);
-    cells_put(&job->cells, tile, scratch->groups, scratch->shown, scratch->halves);
+    cells_take(&job->cells, tile, scratch);
+    cells_measure(&job->cells, tile, &job->encoding, scratch, pixels);
+    cells_put(&job->cells, tile, scratch);
     framebuffer_replace(&job->framebuffer, number, pixels);
 }
 
@@ -235,7 +266,7 @@ static size_t samples_of(const pov_job *job, pov_rect tile)
         for (int i = 0; i < GROUPS * r.columns; i++) {
             const size_t number = first_of_row(job, r, row) + (size_t)i;
 
-            sum += cells_pixels(&job->cells, number) * job->cells.groups[number].count;
+            sum += cells_samples(&job->cells, number);
         }
     return sum;
 }
@@ -293,16 +324,41 @@ static bool are_targets_possible(const pov_job *job, const char *at)
     for (size_t i = 0; i < GROUPS * job->cells.count; i++) {
         uint32_t target;
 
-        memcpy(&target, at + i * sizeof target, sizeof target);
+        memcpy(&target, at + i * size_of_group(job), sizeof target);
         if (target < 1 || target > (uint32_t)SAMPLES_MAX)
             return false;
+        if (job->cells.singles) {
+            const unsigned char *gets = (const unsigned char *)at + i * size_of_group(job) + sizeof target;
+
+            if (!cells_are_singles_possible(&job->cells, i, gets, gets, true))
+                return false;
+        }
+    }
+    return true;
+}
+
+static bool take_wanted(pov_job *job, const char *at)
+{
+    const size_t groups = GROUPS * job->cells.count;
+
+    env_free(job->env, job->wanted);
+    env_free(job->env, job->wanted_singles);
+    job->wanted_singles = NULL;
+    job->wanted = env_alloc(job->env, groups, sizeof *job->wanted);
+    if (job->cells.singles)
+        job->wanted_singles = env_alloc(job->env, groups, sizeof *job->wanted_singles);
+    if (!job->wanted || (job->cells.singles && !job->wanted_singles))
+        return false;
+    for (size_t i = 0; i < groups; i++, at += size_of_group(job)) {
+        memcpy(&job->wanted[i], at, sizeof *job->wanted);
+        if (job->wanted_singles)
+            memcpy(job->wanted_singles[i].gets, at + sizeof *job->wanted, sizeof job->wanted_singles->gets);
     }
     return true;
 }
 
 static pov_status load_round(pov_job *job, const char *file, const char *bytes, size_t count, pov_error *err)
 {
-    const size_t targets = GROUPS * job->cells.count * sizeof *job->wanted;
     part_head theirs;
     identity ours;
     pov_status status;
@@ -316,11 +372,8 @@ static pov_status load_round(pov_job *job, const char *file, const char *bytes, 
         return err_file(err, POV_E_IO, file, "this round of parts is damaged");
     if (memcmp(theirs.note, job->note, sizeof theirs.note) != 0)
         return err_file(err, POV_E_ARGUMENT, file, "this round of parts was made with other options of the picture's file");
-    env_free(job->env, job->wanted);
-    job->wanted = env_alloc(job->env, targets, 1);
-    if (!job->wanted)
+    if (!take_wanted(job, bytes + sizeof theirs))
         return err_memory(err);
-    memcpy(job->wanted, bytes + sizeof theirs, targets);
     job->round = theirs.round;
     return POV_OK;
 }

@@ -6,13 +6,13 @@
 #include "render/identity.h"
 #include "render/settings.h"
 
-/* What both kinds of files begin with. The rest of a part: for each of its tiles the counts of the groups, then for each
+/* What both kinds of files begin with. The rest of a part: for each of its tiles the counts of the groups, with those of single pixels, then for each
  * row of pixels their halves, or where a pixel has one sample, the pixels. The rest of a round: the targets of all
- * groups. The last part of both is the hash of all that. */
+ * groups, in the same way. The last part of both is the hash of all that. */
 typedef struct part_head {
     identity id;
     int32_t part, round;         /* part: 0 for a round */
-    int32_t decodes_srgb, transfer, alike;   /* alike: as in cells */
+    int32_t decodes_srgb, transfer, alike, single;   /* alike: as in cells; single: pixels have counts of their own */
     double decode, cpu;          /* cpu: seconds, since the first round */
     pov_counts counts;
     char note[SETTINGS_NOTE];

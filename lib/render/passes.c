@@ -50,7 +50,7 @@ void passes_claim(pov_job *job, worker *w)
     c->tile = job->refining ? job->queue[number] : job->tiles.order[number % all];
     c->rect = tiles_rect(&job->tiles, c->tile);
     if (c->refining)
-        cells_take(&job->cells, c->rect, w->refinement->groups, w->refinement->shown, w->refinement->halves);
+        cells_take(&job->cells, c->rect, w->refinement);
     else
         c->lattice = framebuffer_lattice(&job->framebuffer, c->pass);
     passes_skip(job);
@@ -121,7 +121,7 @@ static pov_stop reason_to_end(const pov_job *job, const pov_pass *now)
 {
     const settings *s = &job->settings;
 
-    if (s->target_error > 0.0 && now->spp_mean >= BUDGET_LEAST && has_error(s, now))
+    if (s->target_error > 0.0 && now->spp_mean >= budget_least(&job->cells) && has_error(s, now))
         return POV_STOP_ERROR;
     return now->spp_mean >= s->samples ? POV_STOP_SAMPLES : POV_STOP_NONE;
 }
@@ -131,10 +131,10 @@ static bool has_due_cells(const pov_job *job, size_t tile)
     cell_range r = cells_of(tiles_rect(&job->tiles, tile));
 
     for (int y = r.row; y < r.row + r.rows; y++) {
-        const group *at = &job->cells.groups[GROUPS * ((size_t)y * (size_t)job->cells.columns + (size_t)r.column)];
+        const size_t first = GROUPS * ((size_t)y * (size_t)job->cells.columns + (size_t)r.column);
 
-        for (int i = 0; i < GROUPS * r.columns; i++)
-            if (at[i].target > at[i].count)
+        for (size_t i = first; i < first + GROUPS * (size_t)r.columns; i++)
+            if (cells_are_due(&job->cells, i))
                 return true;
     }
     return false;
@@ -171,6 +171,9 @@ static void decide_part(pov_job *job, const pov_pass *now)
         group *at = &job->cells.groups[i];
 
         at->target = at->count > job->wanted[i] ? at->count : job->wanted[i];
+        for (size_t k = 0; job->wanted_singles && k < sizeof job->wanted_singles->gets; k++)
+            if (job->cells.singles[i].gets[k] < job->wanted_singles[i].gets[k])
+                job->cells.singles[i].gets[k] = job->wanted_singles[i].gets[k];
     }
     if (more || budget_blind(&job->cells, &job->settings, now))
         passes_queue(job);
@@ -223,7 +226,7 @@ static size_t samples_more(const pov_job *job, const claim *c)
         size_t first = GROUPS * ((size_t)y * (size_t)job->cells.columns + (size_t)r.column);
 
         for (size_t i = first; i < first + GROUPS * (size_t)r.columns; i++)
-            sum += cells_pixels(&job->cells, i) * (job->cells.groups[i].target - job->cells.groups[i].count);
+            sum += cells_samples_due(&job->cells, i) - cells_samples(&job->cells, i);
     }
     return sum;
 }
@@ -242,7 +245,7 @@ bool passes_commit(pov_job *job, worker *w, const pov_counts *fresh, const class
         cells_spend(&job->cells, c->rect, w->meter->spent);
     if (c->refining) {
         job->done_pixels += samples_more(job, c);
-        cells_put(&job->cells, c->rect, w->refinement->groups, w->refinement->shown, w->refinement->halves);
+        cells_put(&job->cells, c->rect, w->refinement);
         framebuffer_replace(&job->framebuffer, c->tile, w->pixels);
     } else {
         job->done_pixels += lattice_pixels(c->lattice, c->rect.width, c->rect.height);
@@ -295,7 +298,7 @@ static double wanted_of_tile(const pov_job *job, size_t tile)
         const size_t first = GROUPS * ((size_t)y * (size_t)job->cells.columns + (size_t)r.column);
 
         for (size_t i = first; i < first + GROUPS * (size_t)r.columns; i++)
-            sum += (double)cells_pixels(&job->cells, i) * job->wanted[i];
+            sum += job->wanted_singles ? (double)singles_sum(job->wanted_singles[i].gets) : (double)cells_pixels(&job->cells, i) * job->wanted[i];
     }
     return sum;
 }
@@ -338,7 +341,7 @@ static double time_of_samples(const pov_job *job, double now)
 /* Fraction of the samples of this round that a part has. */
 static double fraction_of_part(const pov_job *job)
 {
-    const double all = (double)job->all_pixels * budget_blind_end(&job->settings);
+    const double all = (double)job->all_pixels * budget_blind_end(&job->cells, &job->settings);
     double wanted = 0.0;
 
     if (job->state == POV_JOB_DONE)

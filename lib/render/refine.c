@@ -89,6 +89,24 @@ static void add_sample(worker *w, const settings *s, packet *c, int cell, int x,
         trace_packet(w, s, c);
 }
 
+/* Take the next samples of each pixel of a group. False: given up. */
+static bool refine_singles(worker *w, const settings *s, cell_range range, int number, packet *c)
+{
+    singles *g = &w->refinement->singles[number];
+    const int cell = number / GROUPS;
+    const int left = cell % range.columns * CELL_EDGE, top = cell / range.columns * CELL_EDGE;
+
+    for (int i = 0; i < CELL_EDGE * CELL_EDGE / GROUPS; i++) {
+        const int y = top + i / (CELL_EDGE / GROUPS), x = left + i % (CELL_EDGE / GROUPS) * GROUPS + ((y + number) & 1);
+
+        for (uint32_t k = single_count(g->has[i]); k < single_count(g->gets[i]); k++)
+            add_sample(w, s, c, cell, x, y, k, 0, 0);
+        g->has[i] = g->gets[i];
+    }
+    w->refinement->groups[number].count = w->refinement->groups[number].target;
+    return !worker_is_given_up(w);
+}
+
 /* Take the next samples of all pixels of a group, whose places are every other one of each row. False: given up. */
 static bool refine_group(worker *w, const settings *s, cell_range range, int number, packet *c)
 {
@@ -172,7 +190,7 @@ static bool refine_sets(worker *w, const settings *s, cell_range range, packet *
 static bool refine_groups(worker *w, const settings *s, cell_range range, packet *c)
 {
     for (int i = 0; i < GROUPS * range.columns * range.rows; i++)
-        if (!refine_group(w, s, range, i, c))
+        if (!(w->job->cells.singles ? refine_singles : refine_group)(w, s, range, i, c))
             return false;
     return true;
 }
@@ -192,6 +210,6 @@ bool refine_more(worker *w, const settings *s, const cells *c, const encoding *e
     trace_packet(w, s, &together);
     if (worker_is_given_up(w))
         return false;
-    cells_measure(c, w->claim.rect, e, r->groups, r->shown, r->halves, w->pixels);
+    cells_measure(c, w->claim.rect, e, r, w->pixels);
     return true;
 }

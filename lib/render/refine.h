@@ -5,14 +5,7 @@
 #include "render/cells.h"
 #include "render/worker.h"
 
-/* Additional memory of a worker: copies of the claimed tile's halves and groups. */
-struct refinement {
-    double *halves;
-    group groups[GROUPS * TILE_CELLS_MAX];
-    showing shown[GROUPS * TILE_CELLS_MAX];
-};
-
-/* sums: as in cells. NULL: no memory. */
+/* Additional memory of a worker. sums: as in cells. NULL: no memory. */
 refinement *refinement_make(const env *e, int tile_edge, int sums);
 void refinement_free(refinement *r, const env *e);
 

@@ -63,10 +63,10 @@ static float map_value(const cells *c, int x, int y, pov_pixels format)
     double pixels = (double)r.width * r.height;
 
     if (format == POV_PIXELS_SAMPLES)
-        return (float)c->groups[number].count;
+        return (float)cells_count(c, x, y);
     if (format == POV_PIXELS_TIME)
         return c->seconds ? (float)(c->seconds[cell] / pixels) : -1.0f;
-    if (c->groups[number].count < 2)
+    if (cells_count(c, x, y) < 2)
         return -1.0f;
     return (float)sqrt((c->shown[GROUPS * cell].square + c->shown[GROUPS * cell + 1].square) / pixels);
 }

@@ -2,6 +2,7 @@
 #ifndef RENDER_WORKER_H
 #define RENDER_WORKER_H
 
+#include "render/cells.h"
 #include "render/sample.h"
 #include "render/settings.h"
 #include "render/tiles.h"
@@ -18,7 +19,6 @@ typedef struct claim {
     bool refining;               /* more samples of each cell, not the first of a lattice */
 } claim;
 
-typedef struct refinement refinement;   /* refine.h */
 typedef struct meter meter;             /* meter.h */
 
 typedef struct worker {

@@ -7,21 +7,20 @@
 /* A picture of one set, 8x8 pixels, two samples a pixel that differ by .5 in every channel. */
 static showing measure(int alike)
 {
-    static group groups[GROUPS * TILE_CELLS_MAX];
-    static showing shown[GROUPS * TILE_CELLS_MAX];
     static double halves[6 * SET_EDGE * SET_EDGE];
+    static refinement r = { .halves = halves };
     static float pixels[4 * SET_EDGE * SET_EDGE];
     const cells c = { .width = SET_EDGE, .height = SET_EDGE, .sums = 6, .alike = alike };
     const pov_rect all = { 0, 0, SET_EDGE, SET_EDGE };
     encoding linear = { .decode = 1.0 };
 
     for (int i = 0; i < GROUPS * SET_CELLS * SET_CELLS; i++)
-        groups[i].count = groups[i].target = 2;
+        r.groups[i].count = r.groups[i].target = 2;
     for (int i = 0; i < SET_EDGE * SET_EDGE; i++)
         for (int k = 0; k < 6; k++)
             halves[6 * i + k] = k < 3 ? 0.25 : 0.75;
-    cells_measure(&c, all, &linear, groups, shown, halves, pixels);
-    return shown[0];
+    cells_measure(&c, all, &linear, &r, pixels);
+    return r.shown[0];
 }
 
 enum { PIXELS = CELL_EDGE * CELL_EDGE / GROUPS };

@@ -35,12 +35,14 @@ static pov_render_desc describe(pov_sampling sampling)
 }
 
 /* Save a job after so many of its steps. */
-static void begin(fixture *f, pov_sampling sampling, int steps)
+static void begin(fixture *f, pov_sampling sampling, double lens, int steps)
 {
     env e;
     pov_job *job;
 
     tiny_room(&f->scene, NULL);
+    f->scene.model.camera.lens_radius = lens;
+    f->scene.model.camera.focal_distance = 4.0;
     f->desc = describe(sampling);
     strcpy(f->folder, "/tmp/povtrace-checkpoint-XXXXXX");
     assert_non_null(mkdtemp(f->folder));
@@ -90,13 +92,13 @@ static bool goes_on_with(fixture *f)
     return taken;
 }
 
-static void forge_each_byte(pov_sampling sampling, int steps)
+static void forge_each_byte(pov_sampling sampling, double lens, int steps)
 {
     static const unsigned char flips[] = { 0x01, 0xff };
     size_t refused = 0, taken = 0, i, k;
     fixture f;
 
-    begin(&f, sampling, steps);
+    begin(&f, sampling, lens, steps);
     for (i = 0; i + sizeof(uint64_t) < f.count; i += i < HEAD ? 3 : 61)
         for (k = 0; k < sizeof flips; k++) {
             f.forged[i] = (char)(f.forged[i] ^ flips[k]);
@@ -111,13 +113,19 @@ static void forge_each_byte(pov_sampling sampling, int steps)
 static void f5_a_forged_byte_of_the_first_passes_makes_no_job_wait(void **state)
 {
     (void)state;
-    forge_each_byte(POV_SAMPLING_UNIFORM, 2);
+    forge_each_byte(POV_SAMPLING_UNIFORM, 0.0, 2);
 }
 
 static void f5_a_forged_byte_of_later_passes_makes_no_job_wait(void **state)
 {
     (void)state;
-    forge_each_byte(POV_SAMPLING_ADAPTIVE, 6);
+    forge_each_byte(POV_SAMPLING_ADAPTIVE, 0.0, 6);
+}
+
+static void a_forged_count_of_a_pixel_makes_no_job_wait(void **state)
+{
+    (void)state;
+    forge_each_byte(POV_SAMPLING_ADAPTIVE, 0.05, 6);
 }
 
 static void a_job_that_has_ended_is_at_its_end_again(void **state)
@@ -125,7 +133,7 @@ static void a_job_that_has_ended_is_at_its_end_again(void **state)
     fixture f;
 
     (void)state;
-    begin(&f, POV_SAMPLING_UNIFORM, STEPS_MOST);
+    begin(&f, POV_SAMPLING_UNIFORM, 0.0, STEPS_MOST);
     assert_true(goes_on_with(&f));
     end(&f);
 }
@@ -136,6 +144,7 @@ int main(void)
         cmocka_unit_test(a_job_that_has_ended_is_at_its_end_again),
         cmocka_unit_test(f5_a_forged_byte_of_the_first_passes_makes_no_job_wait),
         cmocka_unit_test(f5_a_forged_byte_of_later_passes_makes_no_job_wait),
+        cmocka_unit_test(a_forged_count_of_a_pixel_makes_no_job_wait),
     };
 
     alarm(SECONDS_MOST);

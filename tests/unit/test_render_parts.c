@@ -151,6 +151,26 @@ static void parts_go_on_where_the_error_of_the_picture_is(void **state)
     end(&f);
 }
 
+static void look_through_a_lens(fixture *f)
+{
+    f->scene.model.camera.lens_radius = 0.05;
+    f->scene.model.camera.focal_distance = 4.0;
+}
+
+/* Each pixel has a count of its own then. */
+static void parts_behind_a_lens_go_on_where_the_error_of_the_picture_is(void **state)
+{
+    const pov_render_desc d = describe(0, 0.005, POV_SAMPLING_ADAPTIVE);
+    fixture f;
+
+    (void)state;
+    begin(&f, 3);
+    look_through_a_lens(&f);
+    expect_same(&f, &d, true, 3);
+    expect_same(&f, &d, false, 3);
+    end(&f);
+}
+
 static void parts_of_even_samples_stop_at_the_error_of_the_picture(void **state)
 {
     const pov_render_desc d = describe(0, 0.002, POV_SAMPLING_UNIFORM);
@@ -185,8 +205,7 @@ static void a_lens_ends_where_no_error_is_seen(void **state)
 
     (void)state;
     begin(&f, 3);
-    f.scene.model.camera.lens_radius = 0.05;
-    f.scene.model.camera.focal_distance = 4.0;
+    look_through_a_lens(&f);
     f.scene.model.camera.lens_samples = MOST;
     mean = mean_samples(&f, &few);
     assert_true(mean >= 16.0 && mean < 0.9 * MOST);
@@ -314,6 +333,7 @@ int main(void)
         cmocka_unit_test(parts_of_one_sample_a_pixel_make_the_picture),
         cmocka_unit_test(parts_of_even_samples_need_one_round),
         cmocka_unit_test(parts_go_on_where_the_error_of_the_picture_is),
+        cmocka_unit_test(parts_behind_a_lens_go_on_where_the_error_of_the_picture_is),
         cmocka_unit_test(parts_of_even_samples_stop_at_the_error_of_the_picture),
         cmocka_unit_test(a_lens_ends_where_no_error_is_seen),
         cmocka_unit_test(a_single_part_is_the_picture),
