@@ -315,17 +315,56 @@ static bool is_inside(const clip_search *s, const csg_member *m, const pov_ray *
     return m->shape->inside(m->instance, pov_add(own->org, pov_scale(own->dir, t)), zero) != m->inverse;
 }
 
+/* The end of the hollow that certainly holds a crossing; -HUGE_VAL if certainly none does, HUGE_VAL where that is open. */
+static double hollow_end(const clip_search *s, const pov_crossing *at, double off)
+{
+    double end = is_beside_hollows(s, at, off) ? -HUGE_VAL : HUGE_VAL;
+
+    for (uint32_t i = 0, left = s->w->tree->clipped.hollows; left; left &= left - 1, i++)
+        if (at->t > s->in[i] + off && at->t < s->out[i] - off)
+            end = s->out[i];
+    return end;
+}
+
+/* The first crossing that no hollow holds, which blocks light. A ray that enters the surface in a hollow may be in it still where the hollow
+ * ends: what it crosses next tells. False: open. */
+static bool leave_hollows(clip_search *s, const pov_ray *own, double off, const pov_hits *hits, const pov_crossing **first)
+{
+    const csg_member *m = &s->w->tree->members[s->w->tree->clipped.surface];
+
+    for (int round = 0; round < CROSSINGS && *first; round++) {
+        const double end = hollow_end(s, *first, off);
+        pov_vec3 normal;
+        pov_hits found;
+        bool enters;
+
+        if (end == -HUGE_VAL)
+            return round == 0 || is_enough(&s->w->tree->clipped, *first, hits);
+        m->shape->normal(m->instance, own, *first, &normal);
+        if (!(end < s->leave - off && find_side(m, own, &normal, &enters) && enters))
+            return false;
+        s->enter = end;
+        found = hits_of_surface(s, end - off, s->leave + off, off, hits);
+        m->shape->intersect_between(m->instance, own, &found);
+        *first = find_first(s, &found, off);
+        if (s->unsure)
+            return false;
+    }
+    return !*first;
+}
+
 /* Where hollows clip too: the first crossing of the surface, if no hollow holds the place. Where these show, nothing does before it if the ray
  * enters the surface there. */
 static bool conclude_hollow(clip_search *s, const pov_ray *own, const pov_crossing *first, const pov_vec3 *normal, double off, pov_hits *hits)
 {
     const csg_clipped *c = &s->w->tree->clipped;
     const csg_member *m = &s->w->tree->members[c->surface];
-    const bool enough = first && is_enough(c, first, hits);
-    bool enters = m->turned;
+    bool enough, enters = m->turned;
 
-    if (s->unsure || !(off > 0.0) || (!first && c->shown && is_inside(s, m, own)))
+    if (s->unsure || !(off > 0.0) || (hits->want == POV_WANT_ANY && !leave_hollows(s, own, off, hits, &first)) ||
+        (!first && c->shown && is_inside(s, m, own)))
         return false;
+    enough = first && is_enough(c, first, hits);
     if (first && !(is_beside_hollows(s, first, off) && (enough || (find_side(m, own, normal, &enters) && (enters || !c->shown)))))
         return false;
     hits->escalated += s->escalated;

@@ -136,6 +136,27 @@ COMMON_INLINE bool divide_piece(piece *p, int degree)
     return false;
 }
 
+/* Leave out what lies before the roots that are wanted, if there is certainly no root between the ends of that. */
+COMMON_INLINE void begin_ahead(const double *a, int degree, common_range wanted, piece *p)
+{
+    double left[COMMON_DEGREE_MAX + 1], right[COMMON_DEGREE_MAX + 1];
+    const double across = 2.0 * (wanted.ahead - wanted.from) + COMMON_ASIDE, cut = wanted.from + across;
+    const double error = p->error + 0x1p-53 * (degree + 1) * largest_of(p->b, degree);
+    double steepest = 0.0;
+
+    if (!(wanted.first && wanted.ahead > -1.0 && cut < 1.0))
+        return;
+    for (int k = 1; k <= degree; k++)
+        steepest += k * fabs(a[k]);
+    divide(p->b, degree, 0.5 * (cut + 1.0), left, right);
+    if (!(fabs(right[0]) > 2.0 * error + steepest * across))
+        return;
+    for (int k = 0; k <= degree; k++)
+        p->b[k] = right[k];
+    p->lo = cut;
+    p->error = error;
+}
+
 COMMON_INLINE bool isolate(const double *a, double error, int degree, common_range wanted, common_brackets *out)
 {
     piece stack[DEPTH + 2], *top = stack;
@@ -152,6 +173,7 @@ COMMON_INLINE bool isolate(const double *a, double error, int degree, common_ran
     top->lo = -1.0;
     top->hi = 1.0;
     top->depth = 0;
+    begin_ahead(a, degree, wanted, top);
     while (top >= stack) {
         const bool aside = top->hi < wanted.from || top->lo > wanted.to;
         const int changes = aside ? 0 : count_changes(top->b, degree, top->error);

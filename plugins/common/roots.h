@@ -19,6 +19,10 @@ typedef struct common_brackets { uint32_t count; common_bracket at[COMMON_ROOTS_
  * Others may be left out. */
 typedef struct common_range { double from, ahead, to; bool first; } common_range;
 
+/* Where there is certainly no root so near to the first place that is wanted, what lies before is left out: all roots that are found are then
+ * farther from it than any error of it. */
+#define COMMON_ASIDE 0x1p-14
+
 /* The sum of a[k] x^k for k from 0 to degree (3 or 4), with coefficients that are off by `error` in sum. In growing
  * order. False: double leaves it open. */
 bool common_isolate(const double *a, double error, int degree, common_range wanted, common_brackets *out);

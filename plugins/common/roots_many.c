@@ -76,6 +76,18 @@ COMMON_INLINE quartic choose(double which, quartic a, quartic b)
     return q;
 }
 
+COMMON_INLINE double part(double a, double b, double at) { return a + at * (b - a); }
+
+/* What is behind a fraction of the interval. */
+COMMON_INLINE quartic behind_of(quartic q, double at)
+{
+    const double c0 = part(q.b0, q.b1, at), c1 = part(q.b1, q.b2, at), c2 = part(q.b2, q.b3, at), c3 = part(q.b3, q.b4, at);
+    const double d0 = part(c0, c1, at), d1 = part(c1, c2, at), d2 = part(c2, c3, at), e0 = part(d0, d1, at), e1 = part(d1, d2, at);
+    const quartic r = { part(e0, e1, at), e1, d2, c3, q.b4 };
+
+    return r;
+}
+
 /* The products of bases with zeros are left out. */
 COMMON_INLINE void begin(const common_quartics *q, uint32_t i, walk *w, common_first_roots *out)
 {
@@ -83,18 +95,24 @@ COMMON_INLINE void begin(const common_quartics *q, uint32_t i, walk *w, common_f
     const double sum = fabs(a0) + fabs(a1) + fabs(a2) + fabs(a3) + fabs(a4);
     const quartic all = { a0 - a1 + a2 - a3 + a4, a0 - 0.5 * a1 + 0.5 * a3 - a4, a0 - third * a2 + a4, a0 + 0.5 * a1 - 0.5 * a3 - a4,
                           a0 + a1 + a2 + a3 + a4 };
-    const double error = q->error[i] + 8.0 * 0x1p-53 * sum, aside = (int)(1.0 < q->from[i]) | (int)(-1.0 > q->to[i]) ? 1.0 : 0.0;
-    const double open = open_of(all, error), changes = changes_of(all);
-    const double clear = open > 0.0 ? 0.0 : changes > 0.0 ? 0.0 : 1.0, none = clear + aside, many = open > 0.0 ? 0.0 : changes > 1.0 ? 1.0 : 0.0;
+    const double from = q->from[i], ahead = q->ahead[i], to = q->to[i], across = 2.0 * (ahead - from) + COMMON_ASIDE, at = from + across;
+    const double error = q->error[i] + 8.0 * 0x1p-53 * sum, error_ahead = error + 5.0 * 0x1p-53 * largest_of(all);
+    const double steepest = ((fabs(a1) + 2.0 * fabs(a2)) + 3.0 * fabs(a3)) + 4.0 * fabs(a4);
+    const quartic rest = behind_of(all, 0.5 * (at + 1.0));
+    const double sure = fabs(rest.b0) > 2.0 * error_ahead + steepest * across ? 1.0 : 0.0, cut = (int)(ahead > -1.0) & (int)(at < 1.0) ? sure : 0.0;
+    const quartic wanted = choose(cut, rest, all);
+    const double lo = cut > 0.0 ? at : -1.0, off = cut > 0.0 ? error_ahead : error, aside = (int)(1.0 < from) | (int)(lo > to) ? 1.0 : 0.0;
+    const double known = open_of(wanted, off) + aside > 0.0 ? 0.0 : 1.0, changes = known * changes_of(wanted), early = lo > ahead ? 1.0 : 0.0;
+    const double many = changes > 1.0 ? 1.0 : 0.0, one = changes == 1.0 ? 1.0 : 0.0, none = changes > 0.0 ? 0.0 : known, found = one * early;
 
-    put_piece(w, i, all);
-    w->lo[i] = -1.0;
+    put_piece(w, i, wanted);
+    w->lo[i] = lo;
     w->hi[i] = 1.0;
-    w->error[i] = error;
+    w->error[i] = off;
     w->behind[i] = 0.0;
-    w->going[i] = none > 0.0 ? 0.0 : many;
-    out->open[i] = none > 0.0 ? 0.0 : 1.0 - many;
-    out->found[i] = 0.0;
+    w->going[i] = many;
+    out->open[i] = many + found + none + aside > 0.0 ? 0.0 : 1.0;
+    out->found[i] = found;
 }
 
 /* Looks at both halves of a lane's piece: the root is in one of them, or the half that may hold it is the next piece. */

@@ -285,6 +285,7 @@ void common_torus_begin(search *r, bool from_here, pov_hits *hits)
     if (from_here) {
         r->wanted.from = r->wanted.ahead = -HUGE_VAL;
         r->wanted.to = HUGE_VAL;
+        r->wanted.first = r->wanted.first && hits->tmin <= 0.0;
         r->start = pov_two_div(pov_two_of(-r->s.middle, 0.0), pov_two_of(r->s.half, 0.0));
         r->middle = pov_two_scale(pov_two_add_double(r->start, 1.0), 0.5);
         r->half = pov_two_scale(pov_two_sub(pov_two_of(1.0, 0.0), r->start), 0.5);

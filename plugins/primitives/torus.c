@@ -110,13 +110,22 @@ static uint32_t narrow(const void *self, const pov_own_map *map, uint32_t owner,
     return ((const torus *)self)->kind == TORUS_RING ? common_torus_narrow(self, map, owner, rays, io, n) : n;
 }
 
+/* Doubles tell, unless the point is near the surface: all terms of the equation are off by less than 2^-49 of their sum. */
+static bool is_certainly_outside(const torus *t, pov_vec3 p)
+{
+    const double level = p.x * p.x + p.z * p.z, square = level + p.y * p.y, g = square + t->hollow.hi;
+    const double most = square + t->R * t->R + t->r * t->r, ring = 4.0 * t->ring.hi * level;
+
+    return t->lens.hi <= 0.0 && g * g - ring > 0x1p-48 * (most * most + ring);
+}
+
 static bool inside(const void *self, pov_vec3 point, pov_vec3 point_lo)
 {
     const pov_vec3 zero = { 0.0, 0.0, 0.0 };
     const torus *t = self;
     const pov_two3 p = common_offset(point, point_lo, pov_two3_of(zero, zero), t->scale);
 
-    return t->kind != TORUS_CIRCLE && (is_in_lens(t, p) || value_at(t, p).hi <= 0.0);
+    return t->kind != TORUS_CIRCLE && !is_certainly_outside(t, pov_two3_hi(p)) && (is_in_lens(t, p) || value_at(t, p).hi <= 0.0);
 }
 
 static void uv(const void *self, pov_vec3 point, const pov_mark *mark, double out[2])

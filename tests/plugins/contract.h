@@ -11,6 +11,7 @@ void inside_flips_where_a_ray_crosses(void **unused);
 void crossings_ahead_tell_what_is_inside(void **unused);
 void nearest_is_the_first_of_all_and_any_is_as_nearest(void **unused);
 void what_was_found_before_only_ends_the_interval(void **unused);
+void from_the_surface_the_nearest_beyond_a_distance_is_the_next(void **unused);
 void zeros_of_a_direction_have_no_sign(void **unused);
 void always_exact_finds_the_same(void **unused);
 void counting_finds_as_many(void **unused);

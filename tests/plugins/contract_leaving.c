@@ -52,6 +52,39 @@ void a_ray_that_leaves_never_hits_its_start(void **unused)
     subject_each_ray(SPAWNED, leaves_for_good);
 }
 
+/* The nearest crossing beyond a distance is the next one of all. */
+static bool finds_the_next(const thing *t, const pov_ray *ray)
+{
+    pov_crossing at[MOST], all[MOST], one[MOST];
+    const uint32_t n = subject_ask(t->self, ray, at), which = (uint32_t)(n * subject_uniform());
+    pov_ray next;
+    uint32_t m;
+
+    if (n == 0)
+        return true;
+    memset(&next, 0, sizeof next);
+    subject_point(ray, at[which].t, at[which].t_lo, &next.org, &next.org_lo);
+    next.dir = subject_uniform() < 0.3 ? ray->dir : subject_direction();
+    next.origin_surface = OWNER;
+    next.origin_mark = at[which].mark;
+    m = subject_ask(t->self, &next, all);
+    for (uint32_t i = 0; i + 1 < m; i++) {
+        const double first = all[i].t, second = all[i + 1].t;
+
+        if (second - first > 1e-6 * second &&
+            (subject_ask_in(t->self, &next, POV_WANT_NEAREST, 0.5 * (first + second), HUGE_VAL, false, one) != 1 ||
+             fabs(one[0].t - second) > 1e-9 * second))
+            return false;
+    }
+    return true;
+}
+
+void from_the_surface_the_nearest_beyond_a_distance_is_the_next(void **unused)
+{
+    (void)unused;
+    subject_each_ray(SPAWNED, finds_the_next);
+}
+
 /* From each crossing outward, at all angles down to a hundred times what normals may be off by; to either side, where the
  * crossing's mark says so. */
 static bool never_comes_back(const thing *t, const pov_ray *ray)

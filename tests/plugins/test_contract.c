@@ -92,6 +92,7 @@ static int check_file(const char *file)
         cmocka_unit_test(crossings_ahead_tell_what_is_inside),
         cmocka_unit_test(nearest_is_the_first_of_all_and_any_is_as_nearest),
         cmocka_unit_test(what_was_found_before_only_ends_the_interval),
+        cmocka_unit_test(from_the_surface_the_nearest_beyond_a_distance_is_the_next),
         cmocka_unit_test(zeros_of_a_direction_have_no_sign),
         cmocka_unit_test(always_exact_finds_the_same),
         cmocka_unit_test(counting_finds_as_many),
