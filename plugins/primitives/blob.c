@@ -1,36 +1,8 @@
 /* blob { [threshold t] sphere { <centre>, radius, strength } cylinder { <end>, <end>, radius, strength } ... }: where the sum
- * of strength (1 - d^2 / r^2)^2 over the components within whose radius a point is reaches the threshold.
- *
- * Along a ray d^2 is a quadratic over each stretch within a component, a cylinder with its round ends being three of them.
- * Between the ends of all stretches the field is a quartic. Its Bernstein coefficients are sums of products of those of
- * the quadratics, so neighbours have the same value where they touch. */
-#include "common/bernstein.h"
-#include "common/boxed.h"
+ * of strength (1 - d^2 / r^2)^2 over the components within whose radius a point is reaches the threshold. */
+#include "common/blob.h"
 #include "common/cell_box.h"
-#include "common/runs.h"
 #include "common/simd.h"
-
-/* A component in a space where it is the unit sphere, or what is nearer than one to the line from 0 to z = length. */
-typedef struct component {
-    double m[3][4];              /* from the blob's space, scaled */
-    pov_vec3 centre;             /* of a sphere that nothing has moved, scaled, and 1 / radius^2; or 0 */
-    double per_square;
-    double length, strength;
-    pov_vec3 lo, hi;             /* its box, scaled */
-    uint32_t texture;
-} component;
-
-typedef struct blob {
-    uint32_t count, capacity;
-    component *at;
-    double threshold;
-    bool textured, written;      /* any component, be its radius 0 */
-    common_boxed boxed;
-    common_runs runs;
-    pov_box box;                 /* around all that is inside, scaled */
-} blob;
-
-static const double NEAR = 0x1p-30;
 
 /* ---- loading ---- */
 
@@ -53,7 +25,7 @@ static void put_row(double row[4], pov_vec3 axis, pov_vec3 from, double radius)
 }
 
 /* The map to the component's own space: first back through its transformation. */
-static void find_map(component *c, const written *w)
+static void find_map(common_blob_part *c, const written *w)
 {
     const pov_vec3 along = pov_sub(w->to, w->from), z = { 0.0, 0.0, 1.0 };
     const pov_vec3 axis = pov_largest(along) > 0.0 ? pov_unit(along) : z, side = perpendicular(axis);
@@ -70,7 +42,7 @@ static void find_map(component *c, const written *w)
 }
 
 /* Both ends are spheres, which a map makes ellipsoids. */
-static void find_box(component *c, const written *w)
+static void find_box(common_blob_part *c, const written *w)
 {
     pov_vec3 a = w->from, b = w->to, reach = { w->radius, w->radius, w->radius };
     double r[3];
@@ -87,10 +59,10 @@ static void find_box(component *c, const written *w)
     c->hi = pov_add(pov_vec3_of(fmax(a.x, b.x), fmax(a.y, b.y), fmax(a.z, b.z)), reach);
 }
 
-static component *append(blob *b, const pov_host *host, pov_reader *in)
+static common_blob_part *append(common_blob *b, const pov_host *host, pov_reader *in)
 {
     if (b->count == b->capacity) {
-        component *bigger = host->alloc(in, (2 * b->capacity + 8) * sizeof *bigger);
+        common_blob_part *bigger = host->alloc(in, (2 * b->capacity + 8) * sizeof *bigger);
 
         if (!bigger)
             return NULL;
@@ -102,15 +74,16 @@ static component *append(blob *b, const pov_host *host, pov_reader *in)
     return &b->at[b->count++];
 }
 
-static void add(blob *b, const pov_host *host, pov_reader *in, const written *w, double strength, uint32_t texture)
+static void add(common_blob *b, const pov_host *host, pov_reader *in, const written *w, double strength, uint32_t texture)
 {
-    component *c = w->radius > 0.0 ? append(b, host, in) : NULL;
+    common_blob_part *c = w->radius > 0.0 ? append(b, host, in) : NULL;
 
     b->written = true;
     if (!c)
         return;
     c->strength = strength;
     c->texture = texture;
+    c->number = b->count - 1;
     b->textured |= texture != POV_OWN_TEXTURE;
     c->centre = w->from;
     c->per_square = w->moved || pov_largest(pov_sub(w->to, w->from)) > 0.0 ? 0.0 : 1.0 / (w->radius * w->radius);
@@ -118,7 +91,7 @@ static void add(blob *b, const pov_host *host, pov_reader *in, const written *w,
     find_box(c, w);
 }
 
-static void read_component(blob *b, const pov_host *host, pov_reader *in, bool is_cylinder)
+static void read_component(common_blob *b, const pov_host *host, pov_reader *in, bool is_cylinder)
 {
     uint32_t texture = POV_OWN_TEXTURE;
     double strength;
@@ -150,7 +123,7 @@ static void read_component(blob *b, const pov_host *host, pov_reader *in, bool i
 }
 
 /* The form of old: `component strength, radius, <centre>`. */
-static void read_old(blob *b, const pov_host *host, pov_reader *in)
+static void read_old(common_blob *b, const pov_host *host, pov_reader *in)
 {
     written w;
     double strength;
@@ -165,7 +138,7 @@ static void read_old(blob *b, const pov_host *host, pov_reader *in)
     add(b, host, in, &w, strength, POV_OWN_TEXTURE);
 }
 
-static bool read_item(blob *b, const pov_host *host, pov_reader *in)
+static bool read_item(common_blob *b, const pov_host *host, pov_reader *in)
 {
     if (host->accept(in, "threshold"))
         b->threshold = host->number(in);
@@ -182,14 +155,41 @@ static bool read_item(blob *b, const pov_host *host, pov_reader *in)
     return true;
 }
 
+static double number_of(double a) { return a == a ? a : 0.0; }
+
+/* In runs of neighbours. */
+static void arrange(common_blob *b, const pov_host *host, pov_reader *in)
+{
+    common_part *parts = host->alloc(in, b->count * sizeof *parts);
+    common_blob_part *at = host->alloc(in, b->count * sizeof *at);
+    pov_box *box = host->alloc(in, (b->count / COMMON_RUN + 1) * sizeof *box), *around = host->alloc(in, (b->count / COMMON_RUNS + 1) * sizeof *around);
+
+    b->by_number = host->alloc(in, b->count * sizeof *b->by_number);
+    if (!parts || !at || !box || !around || !b->by_number)
+        return;
+    for (uint32_t i = 0; i < b->count; i++) {
+        const pov_vec3 middle = pov_scale(pov_add(b->at[i].lo, b->at[i].hi), 0.5);
+
+        parts[i] = (common_part){ { number_of(middle.x), number_of(middle.y), number_of(middle.z) }, i };
+    }
+    common_runs_arrange(parts, b->count);
+    for (uint32_t i = 0; i < b->count; i++) {
+        at[i] = b->at[parts[i].number];
+        b->by_number[parts[i].number] = i;
+    }
+    b->at = at;
+    b->runs.box = box;
+    b->runs.around = around;
+}
+
 /* About the middle of all boxes, scaled to the order of one. */
-static void place(blob *b)
+static void place(common_blob *b)
 {
     pov_vec3 lo = b->at[0].lo, hi = b->at[0].hi, middle;
     double back;
 
     for (uint32_t i = 1; i < b->count; i++) {
-        const component *c = &b->at[i];
+        const common_blob_part *c = &b->at[i];
 
         lo = pov_vec3_of(fmin(lo.x, c->lo.x), fmin(lo.y, c->lo.y), fmin(lo.z, c->lo.z));
         hi = pov_vec3_of(fmax(hi.x, c->hi.x), fmax(hi.y, c->hi.y), fmax(hi.z, c->hi.z));
@@ -201,7 +201,7 @@ static void place(blob *b)
     b->boxed.lo = pov_scale(pov_sub(lo, middle), b->boxed.scale);
     b->boxed.hi = pov_scale(pov_sub(hi, middle), b->boxed.scale);
     for (uint32_t i = 0; i < b->count; i++) {
-        component *c = &b->at[i];
+        common_blob_part *c = &b->at[i];
 
         c->lo = pov_scale(pov_sub(c->lo, middle), b->boxed.scale);
         c->hi = pov_scale(pov_sub(c->hi, middle), b->boxed.scale);
@@ -217,18 +217,11 @@ static void place(blob *b)
     }
 }
 
-static pov_vec3 mapped(const component *c, pov_vec3 p, double one)
-{
-    return pov_vec3_of(c->m[0][0] * p.x + c->m[0][1] * p.y + c->m[0][2] * p.z + c->m[0][3] * one,
-                       c->m[1][0] * p.x + c->m[1][1] * p.y + c->m[1][2] * p.z + c->m[1][3] * one,
-                       c->m[2][0] * p.x + c->m[2][1] * p.y + c->m[2][2] * p.z + c->m[2][3] * one);
-}
-
 /* How near the cell comes to the component, in its own space. */
-static double nearest_of(const component *c, const pov_box *cell)
+static double nearest_of(const common_blob_part *c, const pov_box *cell)
 {
     const pov_vec3 half = pov_scale(pov_sub(cell->hi, cell->lo), 0.5);
-    pov_vec3 q = mapped(c, pov_add(cell->lo, half), 1.0);
+    pov_vec3 q = common_blob_mapped(c, pov_add(cell->lo, half), 1.0);
     double reach = 0.0;
 
     q.z -= common_lesser(common_greater(q.z, 0.0), c->length);
@@ -240,12 +233,9 @@ static double nearest_of(const component *c, const pov_box *cell)
     return common_greater(sqrt(pov_dot(q, q)) - sqrt(reach), 0.0);
 }
 
-/* Far more than roundings. */
-static bool stays_below(const blob *b, double most) { return most <= b->threshold * (1.0 - 0x1p-30) && b->threshold > 0.0; }
-
 static bool may_hold(const void *self, const pov_box *cell)
 {
-    const blob *b = self;
+    const common_blob *b = self;
     double most = 0.0;
 
     for (uint32_t i = 0; i < b->count; i++) {
@@ -253,13 +243,13 @@ static bool may_hold(const void *self, const pov_box *cell)
 
         most += near < 1.0 ? common_greater(b->at[i].strength, 0.0) * depth * depth : 0.0;
     }
-    return !stays_below(b, most);
+    return !common_blob_stays_below(b, most);
 }
 
 static void parse(void *self, const pov_host *host, pov_reader *in)
 {
     enum { FEW = 64 };           /* where there are more components, to look for the box would take too long */
-    blob *b = self;
+    common_blob *b = self;
     pov_box whole;
 
     b->threshold = 1.0;
@@ -272,7 +262,8 @@ static void parse(void *self, const pov_host *host, pov_reader *in)
         return;
     }
     b->runs.count = b->count;
-    b->runs.box = b->count > 2 * COMMON_RUN ? host->alloc(in, (b->count / COMMON_RUN + 1) * sizeof *b->runs.box) : NULL;
+    if (b->count > 2 * COMMON_RUN)
+        arrange(b, host, in);
     place(b);
     whole = (pov_box){ b->boxed.lo, b->boxed.hi };
     if (b->count > FEW || !common_cell_box(b, &whole, may_hold, &b->box))
@@ -281,7 +272,7 @@ static void parse(void *self, const pov_host *host, pov_reader *in)
 
 static bool bounds(const void *self, pov_box *out)
 {
-    const blob *b = self;
+    const common_blob *b = self;
     const pov_vec3 middle = pov_two3_hi(b->boxed.anchor), lo = pov_add(pov_scale(b->box.lo, 1.0 / b->boxed.scale), middle);
     const pov_vec3 hi = pov_add(pov_scale(b->box.hi, 1.0 / b->boxed.scale), middle);
 
@@ -290,199 +281,14 @@ static bool bounds(const void *self, pov_box *out)
     return true;
 }
 
-/* ---- along a ray ---- */
-
-/* d^2 / r^2 = a t^2 + 2 b t + c between two distances; the field adds no more than `most` there. */
-typedef struct stretch { double lo, hi, a, b, c, strength, most; } stretch;
-
-typedef struct line { pov_vec3 o, d, inverse; double base; common_span span; common_wanted wanted; const common_ray *k; } line;
-
-static size_t scratch(const void *self)
-{
-    const blob *b = self;
-
-    return b->count * 3 * (sizeof(stretch) + 2 * sizeof(double) + sizeof(uint32_t)) + 64;
-}
-
-/* The part of a stretch where it is below one. */
-static uint32_t keep(stretch *s, common_span within)
-{
-    const double d = s->b * s->b - s->a * (s->c - 1.0);
-    double middle, half, depth;
-
-    if (!(s->a > 0.0 && d > 0.0 && within.lo < within.hi))
-        return 0;
-    middle = -s->b / s->a;
-    half = sqrt(d) / s->a;
-    s->lo = common_greater(within.lo, middle - half);
-    s->hi = common_lesser(within.hi, middle + half);
-    depth = d / s->a;
-    s->most = common_greater(s->strength, 0.0) * depth * depth;
-    return s->lo < s->hi;
-}
-
-static uint32_t find_sphere(const component *c, const line *n, stretch *out)
-{
-    const pov_vec3 o = pov_sub(n->o, c->centre);
-
-    out->a = pov_dot(n->d, n->d) * c->per_square;
-    out->b = pov_dot(o, n->d) * c->per_square;
-    out->c = pov_dot(o, o) * c->per_square;
-    out->strength = c->strength;
-    return keep(out, n->span);
-}
-
-static uint32_t find_stretches(const component *c, const line *n, stretch *out)
-{
-    const pov_vec3 o = mapped(c, n->o, 1.0), d = mapped(c, n->d, 0.0);
-    const stretch near_end = { 0.0, 0.0, pov_dot(d, d), pov_dot(o, d), pov_dot(o, o), c->strength, 0.0 };
-    stretch tube = { 0.0, 0.0, d.x * d.x + d.y * d.y, o.x * d.x + o.y * d.y, o.x * o.x + o.y * o.y, c->strength, 0.0 }, far = near_end;
-    const double first = -o.z / d.z, second = (c->length - o.z) / d.z;
-    common_span start = n->span, middle = n->span, end = n->span;
-    uint32_t count = 0;
-
-    out[0] = near_end;
-    if (c->length == 0.0 || (d.z == 0.0 && o.z <= 0.0))
-        return keep(out, n->span);
-    if (tube.a > 0.0 && !(tube.b * tube.b - tube.a * (tube.c - 1.0) > 0.0))
-        return 0;                /* it passes the endless cylinder, which holds the ends */
-    far.b -= c->length * d.z;
-    far.c += c->length * (c->length - 2.0 * o.z);
-    if (d.z == 0.0) {
-        out[0] = o.z < c->length ? tube : far;
-        return keep(out, n->span);
-    }
-    start.hi = common_lesser(start.hi, d.z > 0.0 ? first : second);
-    middle.lo = common_greater(middle.lo, d.z > 0.0 ? first : second);
-    middle.hi = common_lesser(middle.hi, d.z > 0.0 ? second : first);
-    end.lo = common_greater(end.lo, d.z > 0.0 ? second : first);
-    out[0] = d.z > 0.0 ? near_end : far;
-    count += keep(&out[0], start);
-    out[count] = tube;
-    /* Along the axis the tube is as wide everywhere. */
-    if (tube.a > 0.0) {
-        count += keep(&out[count], middle);
-    } else if (tube.c < 1.0 && middle.lo < middle.hi) {
-        out[count].lo = middle.lo;
-        out[count].most = common_greater(c->strength, 0.0);
-        out[count++].hi = middle.hi;
-    }
-    out[count] = d.z > 0.0 ? far : near_end;
-    return count + keep(&out[count], end);
-}
-
-static void sort(double *a, uint32_t n)
-{
-    for (uint32_t i = 1; i < n; i++) {
-        const double x = a[i];
-        uint32_t j = i;
-
-        for (; j > 0 && a[j - 1] > x; j--)
-            a[j] = a[j - 1];
-        a[j] = x;
-    }
-}
-
-/* 1 - d^2 / r^2 at t, and mixed between two distances; at the rim zero. */
-static double depth_at(const stretch *s, double t, double u)
-{
-    if (t == u && ((t == s->lo && s->a * t + s->b < 0.0) || (t == s->hi && s->a * t + s->b > 0.0))) {
-        const double depth = 1.0 - ((s->a * t + 2.0 * s->b) * t + s->c);
-
-        return fabs(depth) < 0x1p-30 ? 0.0 : depth;
-    }
-    return 1.0 - (s->a * t * u + s->b * (t + u) + s->c);
-}
-
-static void add_field(const stretch *s, double from, double to, double *b)
-{
-    const double e = depth_at(s, from, from), f = depth_at(s, from, to), g = depth_at(s, to, to);
-
-    b[0] += s->strength * e * e;
-    b[1] += s->strength * e * f;
-    b[2] += s->strength * (2.0 * f * f + e * g) / 3.0;
-    b[3] += s->strength * f * g;
-    b[4] += s->strength * g * g;
-}
-
-static bool report(const line *n, double t, pov_hits *hits)
-{
-    const pov_two at = pov_two_sum(n->base, t);
-    const pov_mark mark = { 0, 0, 0.0, 0.0 };
-
-    return pov_cross(hits, at.hi * n->k->unit, at.lo * n->k->unit, mark) && !(hits->want == POV_WANT_NEAREST && at.hi * n->k->unit > hits->tmin);
-}
-
-/* False: nothing more is wanted. */
-static bool cross_between(const blob *b, const line *n, const stretch *s, uint32_t count, double from, double to, bool from_here,
-                          pov_hits *hits)
-{
-    double c[5] = { -b->threshold, -b->threshold, -b->threshold, -b->threshold, -b->threshold }, root[4], most = 0.0;
-    uint32_t found;
-
-    for (uint32_t i = 0; i < count; i++)
-        if (s[i].lo <= from && s[i].hi >= to)
-            most += s[i].most;
-    if (stays_below(b, most))
-        return true;
-    for (uint32_t i = 0; i < count; i++)
-        if (s[i].lo <= from && s[i].hi >= to)
-            add_field(&s[i], from, to, c);
-    if ((c[0] < 0.0 && c[1] < 0.0 && c[2] < 0.0 && c[3] < 0.0 && c[4] < 0.0))
-        return true;
-    found = common_bernstein_first(c, 4, common_bernstein_noise(c, 4), (n->wanted.enough - from) / (to - from),
-                                   (n->wanted.within - from) / (to - from), root);
-    for (uint32_t i = 0; i < found; i++) {
-        const double t = from + root[i] * (to - from);
-
-        if (!(from_here && fabs(t) < NEAR) && !report(n, t, hits))
-            return false;
-    }
-    return true;
-}
-
-static void cross(const void *self, const pov_ray *ray, const common_entry *e, pov_hits *hits)
-{
-    const blob *b = self;
-    const bool from_here = ray->origin_surface == hits->owner;
-    stretch *s = hits->scratch;
-    double *ends = (double *)(void *)(s + 3 * b->count);
-    double most = 0.0;
-    uint32_t count = 0;
-    line n;
-
-    n.k = &e->k;
-    n.base = from_here ? 0.0 : e->span.lo;
-    n.o = common_along(n.k, n.base);
-    n.d = n.k->d;
-    n.inverse = pov_vec3_of(1.0 / n.d.x, 1.0 / n.d.y, 1.0 / n.d.z);
-    n.span.lo = from_here ? -NEAR : 0.0;
-    n.span.hi = e->span.hi - n.base;
-    n.wanted = common_wants(n.k, n.base, from_here ? NEAR : -HUGE_VAL, hits);
-    for (uint32_t i = 0; (i = common_runs_hit(&b->runs, i, n.o, n.inverse, n.span.lo, n.span.hi)) < b->count; i++)
-        count += b->at[i].per_square > 0.0 ? find_sphere(&b->at[i], &n, s + count) : find_stretches(&b->at[i], &n, s + count);
-    for (uint32_t i = 0; i < count; i++)
-        most += s[i].most;
-    if (stays_below(b, most))
-        return;
-    for (uint32_t i = 0; i < count; i++) {
-        ends[2 * i] = s[i].lo;
-        ends[2 * i + 1] = s[i].hi;
-    }
-    sort(ends, 2 * count);
-    for (uint32_t i = 0; i + 1 < 2 * count && ends[i] <= n.wanted.far; i++)
-        if (ends[i] < ends[i + 1] && !cross_between(b, &n, s, count, ends[i], ends[i + 1], from_here, hits))
-            return;
-}
-
-COMMON_BOXED_CLASS(blob, cross)
+COMMON_BOXED_CLASS(common_blob, common_blob_cross)
 
 /* ---- points ---- */
 
 /* A component's part of the field, and its slope in the blob's space. */
-static double field_of(const component *c, pov_vec3 p, pov_vec3 *slope)
+static double field_of(const common_blob_part *c, pov_vec3 p, pov_vec3 *slope)
 {
-    pov_vec3 q = mapped(c, p, 1.0);
+    pov_vec3 q = common_blob_mapped(c, p, 1.0);
     double depth, factor;
 
     q.z -= common_lesser(common_greater(q.z, 0.0), c->length);
@@ -498,27 +304,67 @@ static double field_of(const component *c, pov_vec3 p, pov_vec3 *slope)
     return c->strength * depth * depth;
 }
 
+/* Components that are not zero at a point, in the order of the text; or all. */
+enum { HERE = 48 };
+typedef struct here { const common_blob_part *at[HERE]; uint32_t count; bool all; } here;
+
+static bool is_here(const common_blob_part *c, pov_vec3 p)
+{
+    pov_vec3 slope;
+
+    return field_of(c, p, &slope) != 0.0;
+}
+
+static void find_here(const common_blob *b, pov_vec3 p, here *out)
+{
+    out->count = 0;
+    out->all = !b->by_number;
+    for (uint32_t i = 0; !out->all && (i = common_runs_near(&b->runs, i, p)) < b->count; i++) {
+        uint32_t k = out->count;
+
+        if (!is_here(&b->at[i], p))
+            continue;
+        out->all = k == HERE;
+        for (; !out->all && k > 0 && out->at[k - 1]->number > b->at[i].number; k--)
+            out->at[k] = out->at[k - 1];
+        if (!out->all)
+            out->at[k] = &b->at[i];
+        out->count++;
+    }
+    if (out->all)
+        out->count = b->count;
+}
+
+static const common_blob_part *component_here(const common_blob *b, const here *h, uint32_t i)
+{
+    return !h->all ? h->at[i] : &b->at[b->by_number ? b->by_number[i] : i];
+}
+
 static bool inside(const void *self, pov_vec3 point, pov_vec3 point_lo)
 {
-    const blob *b = self;
+    const common_blob *b = self;
     const pov_vec3 p = pov_two3_hi(common_offset(point, point_lo, b->boxed.anchor, b->boxed.scale));
     double sum = 0.0;
     pov_vec3 slope;
+    here h;
 
-    for (uint32_t i = 0; (i = common_runs_near(&b->runs, i, p)) < b->count; i++)
-        sum += field_of(&b->at[i], p, &slope);
+    find_here(b, p, &h);
+    for (uint32_t i = 0; i < h.count; i++)
+        sum += field_of(component_here(b, &h, i), p, &slope);
     return sum > b->threshold;
 }
 
 static void normal(const void *self, const pov_ray *ray, const pov_crossing *at, pov_vec3 *out)
 {
-    const blob *b = self;
+    const common_blob *b = self;
     const common_ray k = common_enter(ray, b->boxed.anchor, b->boxed.scale);
     const pov_vec3 p = pov_two3_hi(common_point(&k, at));
     pov_vec3 sum = { 0.0, 0.0, 0.0 }, slope;
+    here h;
 
-    for (uint32_t i = 0; (i = common_runs_near(&b->runs, i, p)) < b->count; i++) {
-        field_of(&b->at[i], p, &slope);
+    find_here(b, p, &h);
+    for (uint32_t i = 0; i < h.count; i++) {
+        field_of(component_here(b, &h, i), p, &slope);
         sum = pov_sub(sum, slope);
     }
     *out = pov_unit(sum);
@@ -553,18 +399,22 @@ static void add_share(shares *s, uint32_t texture, double field)
 static uint32_t textures(const void *self, pov_vec3 point, pov_vec3 point_lo, const pov_mark *mark, uint32_t *which,
                          double *share)
 {
-    const blob *b = self;
+    const common_blob *b = self;
     const pov_vec3 p = pov_two3_hi(common_offset(point, point_lo, b->boxed.anchor, b->boxed.scale));
     shares all = { which, share, 0 };
     double sum = 0.0;
     pov_vec3 slope;
+    here h;
 
     (void)mark;
-    for (uint32_t i = 0; b->textured && (i = common_runs_near(&b->runs, i, p)) < b->count; i++) {
-        const double field = fabs(field_of(&b->at[i], p, &slope));
+    if (b->textured)
+        find_here(b, p, &h);
+    for (uint32_t i = 0; b->textured && i < h.count; i++) {
+        const common_blob_part *c = component_here(b, &h, i);
+        const double field = fabs(field_of(c, p, &slope));
 
         if (field > 0.0)
-            add_share(&all, b->at[i].texture, field);
+            add_share(&all, c->texture, field);
     }
     for (uint32_t i = 0; i < all.count; i++)
         sum += share[i];
@@ -577,13 +427,13 @@ static const pov_shape_class blob_class = {
     .size = sizeof(pov_shape_class),
     .flags = POV_SHAPE_SOLID,
     .keyword = "blob",
-    .instance_size = sizeof(blob),
+    .instance_size = sizeof(common_blob),
     .parse = parse,
     .bounds = bounds,
     .intersect = intersect,
     .normal = normal,
     .inside = inside,
-    .scratch = scratch,
+    .scratch = common_blob_scratch,
     .extension = extension,
     .textures = textures,
 };
