@@ -9,12 +9,32 @@ typedef struct approx_span {
     double separation;       /* half the distance between the roots of the side */
 } approx_span;
 
-static bool approx_side(const common_cone *s, const approx *g, approx_span *out)
+/* Is each of the row's products with the direction zero, without any rounding? */
+static bool is_across(const pov_two3 *row, pov_vec3 d)
+{
+    return (row->x.hi == 0.0 || d.x == 0.0) && (row->y.hi == 0.0 || d.y == 0.0) && (row->z.hi == 0.0 || d.z == 0.0);
+}
+
+/* Along a cylinder's axis a ray is inside its side everywhere, or nowhere. */
+static bool approx_along(bounded c, approx_span *out)
+{
+    out->empty = c.v > 0.0;
+    out->from_ever = out->for_ever = true;
+    out->lo = out->hi = bounded_of(0.0, 0.0);
+    out->lo_of = SIDE_IN;
+    out->hi_of = SIDE_OUT;
+    out->separation = HUGE_VAL;
+    return is_certain(c);
+}
+
+static bool approx_side(const common_cone *s, const approx *g, pov_vec3 d, approx_span *out)
 {
     const approx_equation e = equation_of(g);
     const bounded a = e.a, b = e.b, c = e.c, discriminant = e.discriminant;
     bounded root, sum, first, second;
 
+    if (a.v == 0.0 && s->slope.hi == 0.0 && is_across(&s->row[0], d) && is_across(&s->row[1], d))
+        return approx_along(c, out);
     if (!is_certain(a) || !is_certain(discriminant) || fabs(a.v) < COMMON_TINY)
         return false;
     out->empty = discriminant.v < 0.0;
@@ -137,7 +157,7 @@ static bool fast(const common_cone *s, const common_ray *k, const approx *g, lea
         return false;
     if (slab.empty)
         return true;
-    if (!approx_side(s, g, &side))
+    if (!approx_side(s, g, k->d, &side))
         return false;
     if (side.empty)
         return true;

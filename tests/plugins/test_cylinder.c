@@ -1,0 +1,64 @@
+/* test_cylinder.c - rays along the axis of a cylinder, as those of a camera that looks at letters from the front. */
+#include "support/check.h"
+#include "support/fake_reader.h"
+
+#include <math.h>
+
+static const shape_class *cylinder;
+
+static pov_hits cross(double x, pov_want want, pov_crossing at[2])
+{
+    const pov_ray ray = { .org = { x, 0.25, -3.0 }, .dir = { 0.0, 0.0, 1.0 }, .origin_surface = POV_NO_OWNER };
+    pov_hits hits = { .tmax = HUGE_VAL, .want = want, .at = at, .capacity = 2, .owner = 0 };
+    pov_reader *in = fake_reader_create();
+    void *self;
+
+    fake_reader_text(in, "<0, 0, 0>, <0, 0, 2>, 1.25");
+    self = fake_reader_parse(in, cylinder);
+    assert_non_null(self);
+    cylinder->intersect(self, &ray, &hits);
+    fake_reader_destroy(in);
+    return hits;
+}
+
+static void doubles_tell_whether_a_ray_along_the_axis_is_inside(void **state)
+{
+    pov_crossing at[2];
+    pov_hits hits = cross(0.5, POV_WANT_ALL, at);
+
+    (void)state;
+    assert_int_equal(hits.count, 2);
+    assert_true(at[0].t == 3.0 && at[1].t == 5.0);
+    assert_int_equal(hits.escalated, 0);
+    hits = cross(0.5, POV_WANT_NEAREST, at);
+    assert_true(hits.count == 1 && at[0].t == 3.0 && hits.escalated == 0);
+    hits = cross(1.3, POV_WANT_ALL, at);
+    assert_true(hits.count == 0 && hits.escalated == 0);
+}
+
+/* 1.5625 = 1.25 * 1.25 = 1.5 + 0.0625, and the double next to the root of that. */
+static void on_the_side_double_double_does(void **state)
+{
+    const double side = 0x1.3988e1409212ep0;
+    pov_crossing at[2];
+
+    (void)state;
+    for (int i = -2; i <= 2; i++) {
+        const double x = side + i * 0x1p-52;
+        const pov_hits hits = cross(x, POV_WANT_ALL, at);
+
+        assert_int_equal(hits.escalated, 1);
+        assert_int_equal(hits.count, i <= 0 ? 2 : 0);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(doubles_tell_whether_a_ray_along_the_axis_is_inside),
+        cmocka_unit_test(on_the_side_double_double_does),
+    };
+
+    cylinder = fake_reader_shape("cylinder");
+    return cylinder ? cmocka_run_group_tests(tests, NULL, NULL) : 1;
+}
