@@ -256,6 +256,7 @@ static bool ask_columns(const csg_tree *t, csg_outline *of, pov_outline *all)
 
         if (!m->shape->outline || m->open || !m->shape->outline(m->instance, &all[i]))
             return false;
+        of->within |= (uint32_t)m->needed << i;
         of->bare |= (uint32_t)(all[i].round && all[i].slabs == 0) << i;
         of->slabs += all[i].slabs;
         of->quadrics += all[i].round;
@@ -289,10 +290,9 @@ static bool find_values(const csg_tree *t, const env *e, csg_outline *of, uint32
 }
 
 /* From the table, what crossings of single columns do. */
-static void find_steps(const csg_tree *t, csg_outline *of)
+static void find_steps(csg_outline *of)
 {
     for (uint32_t c = 0; c < of->count; c++) {
-        of->within |= (uint32_t)t->members[of->member[c]].needed << c;
         for (uint32_t set = 0; set < 1u << of->count; set++) {
             const uint8_t without = of->values[set & ~(1u << c)], with = of->values[set | 1u << c];
 
@@ -359,6 +359,6 @@ bool csg_find_outline(csg_tree *t, const env *e)
     t->outline->values = (uint8_t *)(t->outline->numbers + numbers) + turned_size(t, &of);
     if (!find_values(t, e, t->outline, (uint32_t)table_size(t, &of)))
         return false;
-    find_steps(t, t->outline);
+    find_steps(t->outline);
     return true;
 }

@@ -126,10 +126,24 @@ static bool add_column(sweep *s, uint32_t i, uint32_t from, const pov_hits *hits
     return true;
 }
 
-static bool begin(sweep *s, const pov_hits *hits)
+/* Is the ray certainly never within all columns that the tree is within? `from`: the column that it starts on. */
+static bool is_nowhere(const sweep *s, uint32_t from)
 {
-    const uint32_t from = csg_outline_column(s->w);
+    double enter = -HUGE_VAL, leave = HUGE_VAL;
 
+    for (uint32_t left = s->of->within & ~s->io.outside; left; left &= left - 1) {
+        const uint32_t i = first_of(left);
+
+        if (i == from)
+            continue;
+        enter = s->io.in[i] > enter ? s->io.in[i] : enter;
+        leave = s->io.out[i] < leave ? s->io.out[i] : leave;
+    }
+    return enter - near_by(s, enter) > fmin(leave + near_by(s, leave), s->to) || leave + near_by(s, leave) < s->from;
+}
+
+static bool begin(sweep *s, uint32_t from, const pov_hits *hits)
+{
     s->holds = s->io.outside;
     s->count = 0;
     for (uint32_t i = 0; i < s->of->count; i++)
@@ -227,6 +241,7 @@ bool csg_sweep_first(csg_traversal *w, pov_hits *hits)
     sweep s;
     csg_first first;
     csg_found found;
+    uint32_t from;
 
     if (!csg_traversal_hits_box(w) || w->enter > most)
         return true;
@@ -240,7 +255,10 @@ bool csg_sweep_first(csg_traversal *w, pov_hits *hits)
     s.from -= near_by(&s, s.from);
     s.to = s.io.start + fmin(w->leave, most) / s.io.per_unit;
     s.to += near_by(&s, s.to);
-    if (!begin(&s, hits))
+    from = csg_outline_column(w);
+    if (is_nowhere(&s, from))
+        return true;
+    if (!begin(&s, from, hits))
         return false;
     found = search(&s, &first);
     return found == CSG_NOTHING || (found == CSG_CROSSED && report(&s, &first, hits));
