@@ -541,3 +541,41 @@ uint32_t csg_clipped_many(const csg_tree *t, const pov_ray *const *rays, pov_hit
     }
     return open;
 }
+
+/* ---- rays that pass the surface ---- */
+
+/* Does a ray that is inside the surface certainly cross it? Then one that passes it is outside. Its end, rounded, lies well outside. */
+static bool ends_outside(const csg_member *m, const pov_rays *rays, uint32_t i)
+{
+    const double t = rays->tmax[i], margin = 0x1p-40 * (rays->size[i] + t * (fabs(rays->dir[0][i]) + fabs(rays->dir[1][i]) + fabs(rays->dir[2][i])));
+    const pov_vec3 at = { rays->org[0][i] + t * rays->dir[0][i], rays->org[1][i] + t * rays->dir[1][i], rays->org[2][i] + t * rays->dir[2][i] };
+
+    return m->boxed && (t == HUGE_VAL || at.x > m->box.hi.x + margin || at.y > m->box.hi.y + margin || at.z > m->box.hi.z + margin ||
+                        at.x < m->box.lo.x - margin || at.y < m->box.lo.y - margin || at.z < m->box.lo.z - margin);
+}
+
+/* Leaves out candidates of the tree that pass its surface, and so whatever else shows of it, by a closer look of the class. */
+uint32_t csg_clipped_narrow(const csg_tree *t, const pov_rays *rays, pov_candidate *io, uint32_t n)
+{
+    const csg_member *m = &t->members[t->clipped.surface];
+    const bool shown = t->clipped.shown;
+    pov_candidate some[POV_RAYS_MAX];
+    uint32_t kept = 0, count = 0, next = 0;
+    pov_own_map map;
+
+    if (!m->shape->narrow || !m->xform || !rays->rays || (shown && (m->inverse || m->turned)))
+        return n;
+    map = (pov_own_map){ m->xform->anchor, { m->xform->column[0], m->xform->column[1], m->xform->column[2] }, m->xform->own_anchor };
+    for (uint32_t i = 0; i < n; i++)
+        if (!shown || ends_outside(m, rays, io[i].ray))
+            some[count++] = io[i];
+    count = count > 0 ? m->shape->narrow(m->instance, &map, m->leaf, rays, some, count) : 0;
+    for (uint32_t i = 0; i < n; i++) {
+        const bool is_asked = !shown || ends_outside(m, rays, io[i].ray), is_kept = next < count && some[next].ray == io[i].ray;
+
+        next += is_kept;
+        if (!is_asked || is_kept)
+            io[kept++] = io[i];
+    }
+    return kept;
+}

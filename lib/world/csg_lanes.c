@@ -558,7 +558,7 @@ static uint32_t filter_clipped(const csg_tree *t, const pov_rays *rays, uint64_t
             found += !(passed[i] > 0.0);
         }
     }
-    return found;
+    return csg_clipped_narrow(t, rays, out, found);
 }
 
 static uint32_t decline(uint64_t lanes, uint32_t which, pov_candidate *out)

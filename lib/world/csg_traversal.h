@@ -64,6 +64,8 @@ bool csg_clipped_first(csg_traversal *w, pov_hits *hits);
 /* The same of up to so many rays, where the clips have an outline and the surface takes several. Returns those that are open, a bit each. */
 enum { CSG_CLIPPED_MANY = 8 };
 uint32_t csg_clipped_many(const csg_tree *t, const pov_ray *const *rays, pov_hits *const *hits, uint32_t n);
+/* Of n candidates of such a tree, those that do not certainly pass its surface. */
+uint32_t csg_clipped_narrow(const csg_tree *t, const pov_rays *rays, pov_candidate *io, uint32_t n);
 /* Which crossing of a tree with an outline is the first that is not beyond `most`? `from`: the column that the ray starts on, or
  * CSG_COLUMNS. */
 typedef enum csg_found { CSG_NOTHING, CSG_CROSSED, CSG_OPEN } csg_found;
