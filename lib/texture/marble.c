@@ -101,7 +101,7 @@ static void evaluate_wood(const pattern_input *in, double *value)
         to_rings(in->at->x, in->at->y, n, value);
         return;
     }
-    noise_vector_turbulence(in->noise, t, in->at, in->n, &v);
+    noise_flat_turbulence(in->noise, t, in->at, in->n, &v);
     distort(t->amount.x, in->at->x, in->n, v.x);
     distort(t->amount.y, in->at->y, in->n, v.y);
     to_rings(v.x, v.y, in->n, value);

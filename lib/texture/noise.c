@@ -37,10 +37,7 @@ static void fill_hash(noise_tables *t)
 static void fill_measured(noise_tables *t)
 {
     for (uint32_t k = 0; k < NOISE_COPIES; k++)
-        memcpy(t->measured[0][k] + (NOISE_COPIES - k) % NOISE_COPIES, noise_measured, sizeof noise_measured);
-    for (uint32_t k = 0; k < NOISE_COPIES; k++)
-        for (uint32_t i = 0; i < NOISE_COPY; i++)
-            t->measured[1][k][i] = 0.5 * t->measured[0][k][i];
+        memcpy(t->measured[k] + (NOISE_COPIES - k) % NOISE_COPIES, noise_measured, sizeof noise_measured);
     for (uint32_t i = 0; i < NOISE_HASH; i++) {
         const uint32_t from = t->hash[i] & 0xff, k = from % NOISE_COPIES;
 
@@ -245,6 +242,25 @@ void noise_vector_turbulence(const noise_tables *t, const turbulence *of, const 
         add(factor, term.x, n, value->x);
         add(factor, term.y, n, value->y);
         add(factor, term.z, n, value->z);
+        scale *= of->lambda;
+        factor *= of->omega;
+    }
+}
+
+void noise_flat_turbulence(const noise_tables *t, const turbulence *of, const vec_lanes *at, uint32_t n, vec_lanes *value)
+{
+    const bool near = are_octaves_near(of, at, n);
+    double scale = of->lambda, factor = of->omega;
+    vec_lanes term;
+    lattice l;
+
+    locate(at, 1.0, near, lanes_whole(n), &l);
+    sum_flat(t, &l, n, value);
+    for (uint32_t octave = 1; octave < of->octaves; octave++) {
+        locate(at, scale, near, lanes_whole(n), &l);
+        sum_flat(t, &l, n, &term);
+        add(factor, term.x, n, value->x);
+        add(factor, term.y, n, value->y);
         scale *= of->lambda;
         factor *= of->omega;
     }

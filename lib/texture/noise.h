@@ -24,15 +24,14 @@ typedef struct noise_tables {
     uint16_t hash[NOISE_HASH + 1];                       /* a permutation, and its first number once more */
     uint16_t order[NOISE_GRADIENTS];                     /* of generator 3 */
     uint16_t last[NOISE_HASH];                           /* by a hash: where measured numbers begin, from its low bits */
-    SIMD_ALIGNED double measured[2][NOISE_COPIES][NOISE_COPY];   /* the same numbers, moved: so all begin where vectors do;
-                                                          * and their halves */
+    SIMD_ALIGNED double measured[NOISE_COPIES][NOISE_COPY];   /* the same numbers, moved: so all begin where vectors do */
     noise_wave few[NOISE_WAVES];
     uint32_t waves;                                      /* sources of ripples and waves, NOISE_WAVES at least */
     const noise_wave *wave;                              /* the few, or in a scene's memory */
 } noise_tables;
 
 extern const double noise_measured[NOISE_MEASURED];
-/* What places in a cube, each 1/2 or 0 and three coordinates, are seen from at its corners. */
+/* What places in a cube of side 2, each 1 or 0 and three coordinates, are seen from at its corners. */
 enum { NOISE_CORNERS = 8, NOISE_PARTS = 4 };
 extern const double noise_corner[NOISE_CORNERS][NOISE_PARTS];
 
@@ -69,6 +68,8 @@ void noise_turbulence(const noise_tables *t, int generator, const turbulence *of
                       double *value);
 void noise_vector_turbulence(const noise_tables *t, const turbulence *of, const vec_lanes *at, uint32_t n,
                              vec_lanes *value);
+/* x and y of it alone. */
+void noise_flat_turbulence(const noise_tables *t, const turbulence *of, const vec_lanes *at, uint32_t n, vec_lanes *value);
 
 /* ---- one point ---- */
 

@@ -7,13 +7,13 @@ SIMD_INLINE void RUN(const lattice *l, uint32_t first, uint32_t lanes, const dou
 {
     typedef double vector __attribute__((vector_size(RUN_LANES * sizeof(double))));
     const vector x = RUN_LOAD(l->inside[0] + first), y = RUN_LOAD(l->inside[1] + first), z = RUN_LOAD(l->inside[2] + first);
-    const vector by_x[2] = { x, x - 1.0 }, by_y[2] = { y, y - 1.0 }, by_z[2] = { z, z - 1.0 };
+    const vector by_x[2] = { x, x - 2.0 }, by_y[2] = { y, y - 2.0 }, by_z[2] = { z, z - 2.0 };
     const uint8_t stored = (uint8_t)((1u << lanes) - 1);
     vector sum[3][PARTS];
 
 #pragma GCC unroll 8
     for (int c = 0; c < CORNERS; c++) {
-        const vector weight = RUN_LOAD(l->weight[c] + first);
+        const vector weight = RUN_LOAD(l->half_weight[c] + first);
         const vector by[PARTS] = { weight, by_x[c & 1] * weight, by_y[c >> 1 & 1] * weight, by_z[c >> 2] * weight };
 
         if (is_above(level, c))
@@ -22,7 +22,7 @@ SIMD_INLINE void RUN(const lattice *l, uint32_t first, uint32_t lanes, const dou
         for (int j = 0; j < count; j++)
 #pragma GCC unroll 4
             for (int k = 0; k < PARTS; k++) {
-                const vector more = by[k] * from[c][PARTS * j + k + (k == 0 ? HALVES : 0)];
+                const vector more = by[k] * from[c][PARTS * j + k];
 
                 if (is_height(level, k))
                     continue;

@@ -8,10 +8,6 @@
 /* Compilers would add up one sum behind the other, for which there are not registers enough. */
 #define KEEP_ORDER(value) __asm__("" : "+v"(value))
 
-/* The first part is half a weight times a number: a weight times half the number is the same, but for what is so small that the
- * other corners' parts, whose weights add up to 1 with it, do not change by it. */
-enum { HALVES = NOISE_COPIES * NOISE_COPY };
-
 /* Points are level along y, as those of floors, or along z, as those of images. Corners above add zeros, and so do heights of the
  * corners below. */
 enum { NOT_LEVEL = 0, LEVEL_Y = 1, LEVEL_Z = 2 };
@@ -32,18 +28,19 @@ SIMD_INLINE bool is_height(int level, int part) { return level != NOT_LEVEL && p
 /* ---- points by themselves ---- */
 
 /* The sums of the four parts of each. */
-SIMD_INLINE void join_three(__m512d xy, __m256d z, uint32_t lane, double *const out[])
+SIMD_INLINE void join_parts(__m512d xy, __m256d z, uint32_t lane, int count, double *const out[])
 {
     const __m256d two = _mm256_hadd_pd(_mm512_castpd512_pd256(xy), _mm512_extractf64x4_pd(xy, 1)), last = _mm256_hadd_pd(z, z);
     const __m128d both = _mm_add_pd(_mm256_castpd256_pd128(two), _mm256_extractf128_pd(two, 1));
 
     _mm_storel_pd(out[0] + lane, both);
     _mm_storeh_pd(out[1] + lane, both);
-    _mm_storel_pd(out[2] + lane, _mm_add_sd(_mm256_castpd256_pd128(last), _mm256_extractf128_pd(last, 1)));
+    if (count == 3)
+        _mm_storel_pd(out[2] + lane, _mm_add_sd(_mm256_castpd256_pd128(last), _mm256_extractf128_pd(last, 1)));
 }
 
-/* Of the first two components the parts stand in one vector. set_places() was called. */
-SIMD_INLINE void sum_three(const noise_tables *t, const lattice *l, uint32_t lane, int level, double *const out[])
+/* Of two or three components; of the first two the parts stand in one vector. set_places() was called. */
+SIMD_INLINE void sum_some(const noise_tables *t, const lattice *l, uint32_t lane, int count, int level, double *const out[])
 {
     const __m512d place = _mm512_broadcast_f64x4(_mm256_load_pd(l->place[lane]));
     const double *from[CORNERS];
@@ -54,30 +51,32 @@ SIMD_INLINE void sum_three(const noise_tables *t, const lattice *l, uint32_t lan
 #pragma GCC unroll 8
     for (int c = 0; c < CORNERS; c++) {
         const __m512d corner = _mm512_broadcast_f64x4(_mm256_loadu_pd(noise_corner[c]));
-        const __m512d by = _mm512_mul_pd(_mm512_sub_pd(place, corner), _mm512_set1_pd(l->weight[c][lane]));
+        const __m512d by = _mm512_mul_pd(_mm512_sub_pd(place, corner), _mm512_set1_pd(l->half_weight[c][lane]));
         const __m512d more_xy = _mm512_mul_pd(by, _mm512_loadu_pd(from[c]));
         const __m256d more_z = _mm256_mul_pd(_mm512_castpd512_pd256(by), _mm256_loadu_pd(from[c] + 2 * PARTS));
 
         if (is_above(level, c))
             continue;
         xy = c == 0 ? more_xy : _mm512_add_pd(xy, more_xy);
-        z = c == 0 ? more_z : _mm256_add_pd(z, more_z);
         KEEP_ORDER(xy);
+        if (count == 2)
+            continue;
+        z = c == 0 ? more_z : _mm256_add_pd(z, more_z);
         KEEP_ORDER(z);
     }
-    join_three(xy, z, lane, out);
+    join_parts(xy, z, lane, count, out);
 }
 
 SIMD_INLINE void sum_one(const noise_tables *t, const lattice *l, uint32_t lane, int level, double *out)
 {
-    const __m256d place = _mm256_setr_pd(0.5, l->inside[0][lane], l->inside[1][lane], l->inside[2][lane]);
+    const __m256d place = _mm256_setr_pd(1.0, l->inside[0][lane], l->inside[1][lane], l->inside[2][lane]);
     const double *from[CORNERS];
     __m256d sum = _mm256_setzero_pd(), pairs;
 
     find_corners(t, l, lane, from);
 #pragma GCC unroll 8
     for (int c = 0; c < CORNERS; c++) {
-        const __m256d by = _mm256_mul_pd(_mm256_sub_pd(place, _mm256_loadu_pd(noise_corner[c])), _mm256_set1_pd(l->weight[c][lane]));
+        const __m256d by = _mm256_mul_pd(_mm256_sub_pd(place, _mm256_loadu_pd(noise_corner[c])), _mm256_set1_pd(l->half_weight[c][lane]));
         const __m256d more = _mm256_mul_pd(by, _mm256_loadu_pd(from[c]));
 
         if (is_above(level, c))
@@ -155,7 +154,7 @@ SIMD_INLINE void sum_runs_of(const noise_tables *t, const lattice *l, const runs
         if (count == 1)
             sum_one(t, l, first_of64(rest), level, out[0]);
         else
-            sum_three(t, l, first_of64(rest), level, out);
+            sum_some(t, l, first_of64(rest), count, level, out);
 }
 
 SIMD_INLINE void sum_runs(const noise_tables *t, lattice *l, uint32_t n, int count, double *const out[])
@@ -164,7 +163,7 @@ SIMD_INLINE void sum_runs(const noise_tables *t, lattice *l, uint32_t n, int cou
     const runs r = find_runs(find_same(l, n) & ~(level ^ level >> 1), n);
 
     if (count > 1 && r.single)
-        set_places(l, 0.5, n);
+        set_places(l, 1.0, n);
     if (~level)
         sum_runs_of(t, l, &r, ~level, count, NOT_LEVEL, out);
     if (by_y)

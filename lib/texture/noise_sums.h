@@ -15,46 +15,50 @@
 
 /* ---- the cubes that points stand in ---- */
 
-/* Numbers of a point that are added up side by side: one of four terms at each corner. */
+/* Numbers of a point that are added up side by side: one of four terms at each corner. The first is half the corner's weight times a
+ * number, the others are the weight times a coordinate times a number: half the weight times twice the coordinate is the same. */
 enum { CORNERS = NOISE_CORNERS, PARTS = NOISE_PARTS };
 
-/* The lattice's cells by axis; the corners' weights; places in the cells, and these by point where set_places() put them. */
+/* The lattice's cells by axis; half the corners' weights; twice the places in the cells, and these by point where set_places() put
+ * them. */
 enum { ROW = LANES_MAX + 16 };   /* rows have room for a whole vector from any lane on, and to look at the lane behind each */
 typedef struct SIMD_ALIGNED lattice {
-    double weight[CORNERS][ROW], inside[3][ROW];
+    double half_weight[CORNERS][ROW], inside[3][ROW];
     double place[LANES_MAX][PARTS];
     uint32_t low[3][ROW];
-    bool near;                   /* is_near() said so: what is inside is in 0..1 */
+    bool near;                   /* is_near() said so: what is inside is in 0..2 */
 } lattice;
 
-SIMD_INLINE double smooth(double u) { return u * u * (3.0 - 2.0 * u); }
+/* Half of 3 u^2 - 2 u^3. */
+SIMD_INLINE double half_smooth(double u) { return u * u * (1.5 - u); }
 
 /* What no 32-bit integer holds counts as the lowest one, as POV-Ray's conversion gives. */
 SIMD_INLINE double limit(double whole) { return whole >= -2147483648.0 && whole < 2147483648.0 ? whole : -2147483648.0; }
 
-SIMD_INLINE void set_weights(lattice *restrict out, uint32_t i, double x, double y, double z)
+/* half_x: half of what the corners behind have of the weight along x. */
+SIMD_INLINE void set_weights(lattice *restrict out, uint32_t i, double half_x, double y, double z)
 {
-    const double x0 = 1.0 - x, y0 = 1.0 - y, z0 = 1.0 - z;
+    const double half_x0 = 0.5 - half_x, y0 = 1.0 - y, z0 = 1.0 - z;
 
-    out->weight[0][i] = x0 * y0 * z0;
-    out->weight[1][i] = x * y0 * z0;
-    out->weight[2][i] = x0 * y * z0;
-    out->weight[3][i] = x * y * z0;
-    out->weight[4][i] = x0 * y0 * z;
-    out->weight[5][i] = x * y0 * z;
-    out->weight[6][i] = x0 * y * z;
-    out->weight[7][i] = x * y * z;
+    out->half_weight[0][i] = half_x0 * y0 * z0;
+    out->half_weight[1][i] = half_x * y0 * z0;
+    out->half_weight[2][i] = half_x0 * y * z0;
+    out->half_weight[3][i] = half_x * y * z0;
+    out->half_weight[4][i] = half_x0 * y0 * z;
+    out->half_weight[5][i] = half_x * y0 * z;
+    out->half_weight[6][i] = half_x0 * y * z;
+    out->half_weight[7][i] = half_x * y * z;
 }
 
 SIMD_INLINE void set_inside(lattice *restrict out, uint32_t i, double x, double y, double z)
 {
-    out->inside[0][i] = x;
-    out->inside[1][i] = y;
-    out->inside[2][i] = z;
-    set_weights(out, i, smooth(x), smooth(y), smooth(z));
+    out->inside[0][i] = 2.0 * x;
+    out->inside[1][i] = 2.0 * y;
+    out->inside[2][i] = 2.0 * z;
+    set_weights(out, i, half_smooth(x), 2.0 * half_smooth(y), 2.0 * half_smooth(z));
 }
 
-/* Behind `first`, which is 1/2 or 0. */
+/* Behind `first`, which is 1 or 0. */
 SIMD_INLINE void set_places(lattice *l, double first, uint32_t n)
 {
     for (uint32_t i = 0; i < n; i++) {
@@ -141,7 +145,7 @@ SIMD_INLINE void add_corner(const lattice *l, uint32_t lane, int c, const double
     double by[PARTS];
 
     for (int k = 0; k < PARTS; k++)
-        by[k] = (l->place[lane][k] - noise_corner[c][k]) * l->weight[c][lane];
+        by[k] = (l->place[lane][k] - noise_corner[c][k]) * l->half_weight[c][lane];
     for (int j = 0; j < count; j++)
         for (int k = 0; k < PARTS; k++)
             sum[j][k] = c == 0 ? by[k] * numbers[PARTS * j + k] : sum[j][k] + by[k] * numbers[PARTS * j + k];
@@ -185,7 +189,7 @@ static double sum_point(const noise_tables *t, lattice *l, uint32_t lane)
     const double *from[CORNERS];
     double sum[1][PARTS];
 
-    set_places(l, 0.5, lane + 1);
+    set_places(l, 1.0, lane + 1);
     find_corners(t, l, lane, from);
     sum_corners(l, lane, from, 1, sum);
     return (sum[0][0] + sum[0][1]) + (sum[0][2] + sum[0][3]);
@@ -210,12 +214,20 @@ static void sum_vector(const noise_tables *t, lattice *l, uint32_t n, vec_lanes 
 
     sum_runs(t, l, n, 3, to);
 }
+
+/* x and y alone. */
+static void sum_flat(const noise_tables *t, lattice *l, uint32_t n, vec_lanes *restrict out)
+{
+    double *const to[] = { out->x, out->y };
+
+    sum_runs(t, l, n, 2, to);
+}
 #else
 SIMD_CLONES static void sum_points(const noise_tables *t, lattice *l, uint32_t n, double *restrict out)
 {
     SIMD_ALIGNED double parts[LANES_MAX][PARTS];
 
-    set_places(l, 0.5, n);
+    set_places(l, 1.0, n);
     for (uint32_t i = 0; i < n; i++) {
         const double *from[CORNERS];
         double sum[1][PARTS];
@@ -235,23 +247,37 @@ static void sum_scalar(const noise_tables *t, lattice *l, uint32_t n, double *ou
         sum_points(t, l, n, out);
 }
 
-SIMD_CLONES static void sum_vector(const noise_tables *t, lattice *l, uint32_t n, vec_lanes *restrict out)
+SIMD_INLINE void sum_components(const noise_tables *t, lattice *l, uint32_t n, int count, double *const out[])
 {
     SIMD_ALIGNED double parts[3][LANES_MAX][PARTS];
 
-    set_places(l, 0.5, n);
+    set_places(l, 1.0, n);
     for (uint32_t i = 0; i < n; i++) {
         const double *from[CORNERS];
         double sum[3][PARTS];
 
         find_corners(t, l, i, from);
-        sum_corners(l, i, from, 3, sum);
-        for (int j = 0; j < 3; j++)
+        sum_corners(l, i, from, count, sum);
+        for (int j = 0; j < count; j++)
             memcpy(parts[j][i], sum[j], sizeof parts[j][i]);
     }
-    join(parts[0], n, out->x);
-    join(parts[1], n, out->y);
-    join(parts[2], n, out->z);
+    for (int j = 0; j < count; j++)
+        join(parts[j], n, out[j]);
+}
+
+SIMD_CLONES static void sum_vector(const noise_tables *t, lattice *l, uint32_t n, vec_lanes *restrict out)
+{
+    double *const to[] = { out->x, out->y, out->z };
+
+    sum_components(t, l, n, 3, to);
+}
+
+/* x and y alone. */
+SIMD_CLONES static void sum_flat(const noise_tables *t, lattice *l, uint32_t n, vec_lanes *restrict out)
+{
+    double *const to[] = { out->x, out->y };
+
+    sum_components(t, l, n, 2, to);
 }
 #endif
 

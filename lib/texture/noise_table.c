@@ -33,6 +33,6 @@ const double noise_measured[NOISE_MEASURED] = {
 
 /* In a file of its own: compilers that know the numbers leave out subtractions of zeros, and shuffle vectors instead. */
 const double noise_corner[NOISE_CORNERS][NOISE_PARTS] = {
-    { 0.0, 0.0, 0.0, 0.0 }, { 0.0, 1.0, 0.0, 0.0 }, { 0.0, 0.0, 1.0, 0.0 }, { 0.0, 1.0, 1.0, 0.0 },
-    { 0.0, 0.0, 0.0, 1.0 }, { 0.0, 1.0, 0.0, 1.0 }, { 0.0, 0.0, 1.0, 1.0 }, { 0.0, 1.0, 1.0, 1.0 },
+    { 0.0, 0.0, 0.0, 0.0 }, { 0.0, 2.0, 0.0, 0.0 }, { 0.0, 0.0, 2.0, 0.0 }, { 0.0, 2.0, 2.0, 0.0 },
+    { 0.0, 0.0, 0.0, 2.0 }, { 0.0, 2.0, 0.0, 2.0 }, { 0.0, 0.0, 2.0, 2.0 }, { 0.0, 2.0, 2.0, 2.0 },
 };

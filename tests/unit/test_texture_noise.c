@@ -97,7 +97,7 @@ static void are_alone(const vec_lanes *at)
     noise_tables *t = make();
     const turbulence of = turbulence_default();
     double value[LANES_MAX];
-    vec_lanes vectors;
+    vec_lanes vectors, flat;
 
     for (int generator = 1; generator <= 3; generator++) {
         noise_turbulence(t, generator, &of, at, LANES_MAX, value);
@@ -105,10 +105,12 @@ static void are_alone(const vec_lanes *at)
             assert_near(value[i], noise_turbulence_at(t, generator, &of, lanes_at(at, i)), 0.0);
     }
     noise_vector_turbulence(t, &of, at, LANES_MAX, &vectors);
+    noise_flat_turbulence(t, &of, at, LANES_MAX, &flat);
     for (uint32_t i = 0; i < LANES_MAX; i++) {
         const pov_vec3 v = noise_vector_turbulence_at(t, &of, lanes_at(at, i));
 
         assert_true(is_same(v.x, vectors.x[i]) && is_same(v.y, vectors.y[i]) && is_same(v.z, vectors.z[i]));
+        assert_true(is_same(v.x, flat.x[i]) && is_same(v.y, flat.y[i]));
     }
     drop(t);
 }
