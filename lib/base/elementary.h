@@ -125,20 +125,30 @@ SIMD_INLINE double elementary_exp(double x)
     return x == x ? elementary_exp2_sum(hi * upper, hi * lower + (held - hi) * (upper + lower)) : x;
 }
 
-/* x^y, x >= 0; 0^0 is 1. */
-SIMD_INLINE double elementary_pow(double x, double y)
+/* The logarithm of x^y by 2, and what 2^ it is; loops over lanes take one after the other, see powers.h. */
+SIMD_INLINE elementary_sum elementary_pow_log(double x, double y)
 {
-    double shift, power, zero;
+    double shift;
     const elementary_sum l = elementary_log2_sum(elementary_normal(x, &shift));
     const double hi = elementary_upper(l.hi + shift), lo = ((l.hi + shift) - hi) + l.lo, y_upper = elementary_upper(y);
+    const elementary_sum out = { y_upper * hi, (y - y_upper) * hi + y * lo };
 
-    power = elementary_exp2_sum(y_upper * hi, (y - y_upper) * hi + y * lo);
-    zero = y > 0.0 ? 0.0 : HUGE_VAL;
+    return out;
+}
+
+SIMD_INLINE double elementary_pow_of(elementary_sum log, double x, double y)
+{
+    double power = elementary_exp2_sum(log.hi, log.lo);
+    const double zero = y > 0.0 ? 0.0 : HUGE_VAL;
+
     power = x == 0.0 ? zero : power;
     power = x == HUGE_VAL ? (y > 0.0 ? HUGE_VAL : 0.0) : power;
     power = y == 0.0 ? 1.0 : power;
     return x >= 0.0 && y == y ? power : (double)NAN;
 }
+
+/* x^y, x >= 0; 0^0 is 1. */
+SIMD_INLINE double elementary_pow(double x, double y) { return elementary_pow_of(elementary_pow_log(x, y), x, y); }
 
 /* ---- angles ---- */
 

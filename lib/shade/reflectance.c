@@ -1,5 +1,6 @@
 #include "shade/reflectance.h"
 
+#include "base/powers.h"
 #include "shade/fade.h"
 #include "shade/film.h"
 #include "shade/highlight.h"
@@ -36,20 +37,13 @@ SIMD_CLONES static void find_away(reflectances *restrict m, uint32_t n)
         m->course[i] = 1.0 - m->cosine[i];
 }
 
-/* In a loop of its own: compilers that know the bounds of the base do not vectorise it. */
-SIMD_CLONES static void raise(const reflectances *restrict m, uint32_t n, double *restrict value)
-{
-    for (uint32_t i = 0; i < n; i++)
-        value[i] = elementary_pow(value[i], m->falloff[i]);
-}
-
 static void add_powers(reflectances *m, uint32_t n)
 {
     double power[BATCH_MAX];
 
     for (uint32_t i = 0; i < n; i++)
         power[i] = m->course[i] > 0.0 ? m->course[i] : 0.0;
-    raise(m, n, power);
+    powers_raise_each(m->falloff, n, power);
     for (uint32_t i = 0; i < n; i++)
         m->course[i] = m->falloff[i] == 1.0 ? m->course[i] : power[i];
 }

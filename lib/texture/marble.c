@@ -2,6 +2,7 @@
 #include "texture/pattern.h"
 
 #include "base/elementary.h"
+#include "base/powers.h"
 
 /* The scalar turbulence of the pattern, times the amount along x. */
 static bool find_turbulence(const pattern_input *in, double *value)
@@ -55,12 +56,12 @@ typedef struct agate { double turbulence; } agate;
 static const agate agate_default = { 1.0 };
 static const pattern_word agate_words[] = { { "agate_turb", PATTERN_FLOAT, offsetof(agate, turbulence), false } };
 
-SIMD_CLONES static void to_agate(double amount, const double *restrict z, uint32_t n, double *restrict value)
+SIMD_CLONES static void to_bands(double amount, const double *restrict z, uint32_t n, double *restrict value)
 {
     for (uint32_t i = 0; i < n; i++) {
         const double v = 0.5 * (elementary_sin_turns(1.3 * amount * value[i] + 1.1 * z[i]) + 1.0);
 
-        value[i] = elementary_pow(v < 1.0 ? v : 1.0, 0.77);
+        value[i] = v < 1.0 ? v : 1.0;
     }
 }
 
@@ -69,7 +70,8 @@ static void evaluate_agate(const pattern_input *in, double *value)
     const agate *self = in->of->self;
 
     noise_turbulence(in->noise, in->generator, &in->of->turbulence, in->at, in->n, value);
-    to_agate(self->turbulence, in->at->z, in->n, value);
+    to_bands(self->turbulence, in->at->z, in->n, value);
+    powers_raise(0.77, in->n, value);
 }
 
 /* ---- wood ---- */

@@ -1,6 +1,7 @@
 #include "texture/warp.h"
 
 #include "base/elementary.h"
+#include "base/powers.h"
 
 /* ---- repeat ---- */
 
@@ -111,13 +112,6 @@ SIMD_CLONES static void find_inside(double radius, const double *restrict distan
     }
 }
 
-/* In a loop of its own: compilers that know the bounds of the base do not vectorise it. */
-SIMD_CLONES static void raise(double exponent, uint32_t n, double *restrict value)
-{
-    for (uint32_t i = 0; i < n; i++)
-        value[i] = elementary_pow(value[i], exponent);
-}
-
 SIMD_CLONES static void pull(const warp_black_hole *w, const vec_lanes *restrict center, const double *restrict distance,
                              const double *restrict power, uint32_t n, vec_lanes *restrict at)
 {
@@ -140,7 +134,7 @@ static void attract(const warp_black_hole *w, const vec_lanes *center, uint32_t 
 
     find_distances(center, n, at, distance);
     find_inside(w->radius, distance, n, power);
-    raise(w->falloff, n, power);
+    powers_raise(w->falloff, n, power);
     pull(w, center, distance, power, n, at);
 }
 

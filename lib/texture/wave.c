@@ -1,6 +1,7 @@
 #include "texture/wave.h"
 
 #include "base/elementary.h"
+#include "base/powers.h"
 
 /* Values repeat with this period, which is not 1, so that 1 stays 1. Its upper half has so few bits that products with
  * whole numbers up to wave_near are exact. */
@@ -87,12 +88,6 @@ SIMD_CLONES static void to_cubic(uint32_t n, double *restrict value)
         value[i] = value[i] * value[i] * (3.0 - 2.0 * value[i]);
 }
 
-SIMD_CLONES static void to_power(double exponent, uint32_t n, double *restrict value)
-{
-    for (uint32_t i = 0; i < n; i++)
-        value[i] = elementary_pow(value[i], exponent);
-}
-
 void wave_shape(const wave *w, uint32_t n, double *value)
 {
     n = lanes_whole(n);
@@ -113,7 +108,7 @@ void wave_shape(const wave *w, uint32_t n, double *value)
         to_cubic(n, value);
         break;
     case WAVE_POLY:
-        to_power(w->exponent, n, value);
+        powers_raise(w->exponent, n, value);
         break;
     }
 }

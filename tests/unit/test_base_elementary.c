@@ -1,5 +1,7 @@
 /* Elementary functions, against the system's in long double. */
 #include "base/elementary.h"
+#include "base/lanes.h"
+#include "base/powers.h"
 #include "support/check.h"
 
 #include <float.h>
@@ -41,6 +43,28 @@ static void exponentials_and_logarithms_are_off_by_two_units_at_most(void **stat
         worst = larger(worst, units(elementary_log2(wide), log2l((long double)wide)));
     }
     assert_true(worst < 2.0);
+}
+
+/* Zeros, infinities and what has no value among them. */
+static void powers_by_lane_have_the_bits_of_one(void **state)
+{
+    static const double ends[8] = { 0.0, -0.0, HUGE_VAL, -1.0, NAN, 0x1p-1074, 1.0, 1e308 };
+    double exponent[LANES_MAX], value[LANES_MAX], one[LANES_MAX];
+    (void)state;
+
+    for (int k = 0; k < 2 * LANES_MAX; k += LANES_MAX) {
+        for (int i = 0; i < LANES_MAX; i++) {
+            exponent[i] = i % 7 == 3 ? ends[i / 7 % 8] : spread(k + i, -50.0, 50.0);
+            value[i] = i % 5 == 3 ? ends[i / 5 % 8] : spread(3 * (k + i), 0.0, 2.0);
+            one[i] = elementary_pow(value[i], exponent[i]);
+        }
+        powers_raise_each(exponent, LANES_MAX, value);
+        assert_memory_equal(value, one, sizeof one);
+        for (int i = 0; i < LANES_MAX; i++)
+            one[i] = elementary_pow(value[i] = spread(k + i, 0.0, 9.0), 0.77);
+        powers_raise(0.77, LANES_MAX, value);
+        assert_memory_equal(value, one, sizeof one);
+    }
 }
 
 static void powers_are_off_by_two_units_whatever_the_exponent(void **state)
@@ -100,6 +124,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(exponentials_and_logarithms_are_off_by_two_units_at_most),
+        cmocka_unit_test(powers_by_lane_have_the_bits_of_one),
         cmocka_unit_test(powers_are_off_by_two_units_whatever_the_exponent),
         cmocka_unit_test(angles_are_off_by_three_units_at_most),
         cmocka_unit_test(the_edges_are_those_of_the_system),
