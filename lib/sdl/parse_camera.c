@@ -201,8 +201,8 @@ void parse_camera(pov_reader *in, camera_parsed *c)
 
     parse_camera_defaults(c);
     c->at = in->last;
+    c->version = in->version;    /* a #version behind the block is read with the token that follows it */
     items_block(in, &list, c);
-    c->version = in->version;
     check_angle(in, c);
     check_look_at(in, c);
 }
@@ -328,7 +328,6 @@ static void act(pov_reader *in, camera_parsed *c, keyword_id keyword)
 {
     camera_frame f;
 
-    c->version = in->version;
     if (in->failed || !acts_at_once(c->version))
         return;
     if (pov_largest(c->right) == 0.0)

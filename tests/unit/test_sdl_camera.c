@@ -219,6 +219,11 @@ static void before_version_3_5_a_camera_is_read_in_its_order(void **state)
     assert_frame(c, V(0, 0, 2), V(0, 0, 1.33), V(0, 3, 0));
     c = read_camera("#version 3.5; camera { location <6, 0, 0> look_at 0 direction 2*z up 3*y }", POV_DIALECT_AUTO);
     assert_frame(c, V(-2, 0, 0), V(0, 0, 1.33), V(0, 3, 0));
+    c = read_camera("camera { location <6, 0, 0> look_at 0 } #version 3.1;", POV_DIALECT_AUTO);
+    assert_frame(c, V(-1, 0, 0), V(0, 0, 1.33), V(0, 1, 0));
+    c = read_camera("#version 3.1; #declare C = camera { location <6, 0, 0> look_at 0 direction 2*z }"
+                    "#version 3.7; camera { C }", POV_DIALECT_AUTO);
+    assert_frame(c, V(0, 0, 2), V(0, 0, 1.33), V(0, 1, 0));
     assert_size("#version 3.1; camera { orthographic location -6*z look_at 0 }", 1.33, 1);
     assert_size("#version 3.1; camera { location -6*z orthographic look_at 0 }", 1.33 * 7, 7);
     assert_size("#version 3.1; camera { location -6*z angle 50 look_at 0 orthographic }", 12 * t, 12 * t / 1.33);
