@@ -204,7 +204,6 @@ void parse_settings_finish(pov_reader *in)
 {
     model *m = in->model;
     bool is_povray = m->dialect == POV_DIALECT_POVRAY, is_new = in->settings.version >= 3.7;
-    const bool is_old = is_povray && in->settings.version > 0.0 && in->settings.version < 3.5;
 
     if (!in->settings.has_ambient_light)
         m->ambient_light = is_povray ? colour_of(1.0f, 1.0f, 1.0f) : colour_of(0.0f, 0.0f, 0.0f);
@@ -212,7 +211,6 @@ void parse_settings_finish(pov_reader *in)
         m->ambient_light = colour_of(0.0f, 0.0f, 0.0f);   /* it stood for what radiosity finds */
     m->opacity_uses_filter_colour = is_povray && !is_new;
     m->fresnel_metallic = is_povray;
-    m->upper_layers_are_colourless = is_old;
     m->opaque_last_level = m->opaque_dark_filters = is_povray;
     m->background = m->sky_colour.color;
     if (!is_povray || is_new)

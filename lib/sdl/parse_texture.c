@@ -338,6 +338,47 @@ static const texture *lay(pov_reader *in, const texture *below, const texture *a
     return result;
 }
 
+/* The layers from `first` on. */
+static const texture *colourless_from(pov_reader *in, const texture *t, uint32_t first)
+{
+    const texture **layers, *changed = NULL;
+    texture own;
+
+    if (!t || in->failed || (t->blend == BLEND_NONE ? first > 0 : t->blend != BLEND_LAYERS))
+        return t;
+    own = *t;
+    if (t->blend == BLEND_NONE) {
+        own.pigment = textures_colourless(in, t->pigment);
+        return textures_texture(in, &own);
+    }
+    layers = env_alloc(in->model->env, t->count, sizeof *layers);
+    if (!layers) {
+        report_memory(in);
+        return t;
+    }
+    for (uint32_t i = 0; i < t->count; i++)
+        layers[i] = i < first ? t->textures[i] : colourless_from(in, t->textures[i], 0);
+    own.textures = layers;
+    if (!in->failed)
+        changed = textures_texture(in, &own);
+    env_free(in->model->env, layers);
+    return changed;
+}
+
+/* Before version 3.5 layers above others let light through by filter + transmit, whatever their colours. This is so for
+ * good from where they are laid. */
+static void make_upper_colourless(pov_reader *in, surface_parsed *s, bool is_layer)
+{
+    const uint32_t first = is_layer ? 0 : 1;
+
+    if (is_layer || s->under)
+        s->pigment = textures_colourless(in, s->pigment);
+    s->under = colourless_from(in, s->under, first);
+    s->whole = colourless_from(in, s->whole, first);
+}
+
+static bool is_old(const pov_reader *in) { return in->version > 0.0 && in->version < 3.5; }
+
 /* The normal, if it has a pattern. */
 static const normal_node *perturbing(const surface_parsed *s)
 {
@@ -387,10 +428,13 @@ static void read_block(pov_reader *in, surface_parsed *s)
 void parse_texture(pov_reader *in, surface_parsed *s)
 {
     const surface_parsed outer = *s;
+    const bool colourless = is_old(in);
 
     parse_surface_begin(in, s);
     s->material.interior = outer.material.interior;
     read_block(in, s);
+    if (colourless)
+        make_upper_colourless(in, s, outer.has_look);
     s->inside = outer.inside;
     s->uv = outer.uv;
     s->has_look = true;
@@ -405,10 +449,13 @@ void parse_texture(pov_reader *in, surface_parsed *s)
 
 void parse_interior_texture(pov_reader *in, surface_parsed *s)
 {
+    const bool colourless = is_old(in);
     surface_parsed inside;
 
     parse_surface_begin(in, &inside);
     read_block(in, &inside);
+    if (colourless)
+        make_upper_colourless(in, &inside, s->inside != NULL);
     if (s->inside && !in->failed)
         s->inside = lay(in, s->inside, parse_surface_node(in, &inside));
     else

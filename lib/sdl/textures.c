@@ -240,6 +240,53 @@ const texture *textures_draft(pov_reader *in, const texture *t)
     return change_members(in, t, NULL);
 }
 
+/* ---- upper layers before version 3.5 ---- */
+
+static pigment colourless(pigment p)
+{
+    return (pigment){ p.color, 0.0f, p.filter + p.transmit };
+}
+
+static const pigment_node *make_colourless(pov_reader *in, const pigment_node *p, pigment *colours, const pigment_node **members)
+{
+    pigment_node own = *p;
+
+    own.most = colourless(p->most);
+    for (uint32_t i = 0; i < p->count; i++) {
+        pigment one;
+
+        if (p->colours)
+            one = colours[i] = colourless(p->colours[i]);
+        else if ((members[i] = textures_colourless(in, p->pigments[i])))
+            one = members[i]->most;
+        else
+            return p;
+        own.most = i > 0 ? pigment_most(own.most, one) : one;
+    }
+    own.colours = p->colours ? colours : NULL;
+    own.pigments = p->pigments ? members : NULL;
+    return textures_pigment(in, &own);
+}
+
+const pigment_node *textures_colourless(pov_reader *in, const pigment_node *p)
+{
+    const bool has_own_colours = p && p->pattern && p->count == 0;
+    pigment *colours;
+    const pigment_node **members, *out = p;
+
+    if (!p || has_own_colours || in->failed)
+        return p;
+    colours = env_alloc(in->model->env, p->count + 1, sizeof *colours);
+    members = env_alloc(in->model->env, p->count + 1, sizeof *members);
+    if (colours && members)
+        out = make_colourless(in, p, colours, members);
+    else
+        report_memory(in);
+    env_free(in->model->env, colours);
+    env_free(in->model->env, members);
+    return out;
+}
+
 /* ---- use ---- */
 
 /* The number of a list's map. 0: there is none, or the reader has failed. */

@@ -39,6 +39,9 @@ bool textures_are_drafts(const pov_reader *in);
 const pigment_node *textures_draft_pigment(pov_reader *in, const pigment_node *p);
 const texture *textures_draft(pov_reader *in, const texture *t);
 
+/* The same with all filter as transmit, as in layers above others before version 3.5; images keep theirs. */
+const pigment_node *textures_colourless(pov_reader *in, const pigment_node *p);
+
 /* Before it becomes part of the model: its patterns know where they stand, and the scene has the noise that they need. */
 void textures_settle_pattern(pov_reader *in, const pattern *p);
 void textures_settle_pigment(pov_reader *in, const pigment_node *p);

@@ -52,14 +52,11 @@ static inline colour emitted_by(const model *m, const finish *f, const pigment *
     return colour_add(ambient, colour_scale(colour_mul(f->emission, at->color), opacity));
 }
 
-void appearance_light_of(appearance_light *out, const model *m, const finish *f, const pigment *at, bool upper)
+void appearance_light_of(appearance_light *out, const model *m, const finish *f, const pigment *at)
 {
-    const bool colourless = upper && m->upper_layers_are_colourless;
-    const float all = at->filter + at->transmit;
-
-    out->opacity = colourless ? 1.0f - all : opacity_of(m, at);
+    out->opacity = opacity_of(m, at);
     out->emitted = emitted_by(m, f, at, out->opacity);
-    out->filter = colourless ? colour_of(all, all, all) : material_filter_of(at->color, at->filter, at->transmit);
+    out->filter = material_filter_of(at->color, at->filter, at->transmit);
 }
 
 bool appearance_transmits(const plan *p, const pigment *at)
@@ -84,11 +81,11 @@ static inline void set_pigment(appearance *out, const plan *p, const pigment *at
     out->emitted = emitted;
 }
 
-static void paint(appearance *out, const plan *p, const model *m, const pigment *at, bool upper)
+static void paint(appearance *out, const plan *p, const model *m, const pigment *at)
 {
     appearance_light own;
 
-    appearance_light_of(&own, m, out->finish, at, upper);
+    appearance_light_of(&own, m, out->finish, at);
     set_pigment(out, p, at, own.opacity, own.emitted);
     onward_set_filter(&out->onward, m, own.filter);
 }
@@ -124,7 +121,7 @@ void appearance_make(appearance *out, const plan *p, const model *m, const finis
     out->highlight_cutoff = out->phong == 0.0f ? 0.0 : cutoff_of(f, at->color);
     out->power = power_of(f);
     out->onward.reflection = coefficient_of(f->reflection.max);
-    paint(out, p, m, at, false);
+    paint(out, p, m, at);
     out->needs_point = out->lit || out->gathers || out->reflective || out->transmissive;
 }
 
@@ -142,10 +139,10 @@ static inline void set_cutoff(appearance *out, const pigment *at)
         out->highlight_cutoff = cutoff_of(out->finish, at->color);
 }
 
-void appearance_paint(appearance *out, const plan *p, const model *m, const appearance *of, const pigment *at, bool upper)
+void appearance_paint(appearance *out, const plan *p, const model *m, const appearance *of, const pigment *at)
 {
     *out = *of;
-    paint(out, p, m, at, upper);
+    paint(out, p, m, at);
     set_cutoff(out, at);
 }
 

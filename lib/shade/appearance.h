@@ -54,7 +54,7 @@ typedef struct appearance {
 
 /* The appearance of a finish and a pigment in this scene. */
 void appearance_make(appearance *out, const plan *p, const model *m, const finish *f, const pigment *at);
-/* What of it depends on the pigment; upper: it is a layer upon another. */
+/* What of it depends on the pigment. */
 typedef struct appearance_light { float opacity; colour emitted, filter; } appearance_light;
 /* What filter takes of the opacity of a pigment of this colour. */
 static inline float appearance_covered(const model *m, colour c, float filter)
@@ -64,7 +64,7 @@ static inline float appearance_covered(const model *m, colour c, float filter)
 
     return m->opacity_uses_filter_colour ? filter * most : filter;
 }
-void appearance_light_of(appearance_light *out, const model *m, const finish *f, const pigment *at, bool upper);
+void appearance_light_of(appearance_light *out, const model *m, const finish *f, const pigment *at);
 /* Do rays go through this pigment? */
 bool appearance_transmits(const plan *p, const pigment *at);
 /* Is so little left that what lies below is not seen? Filters may be negative: by size. */
@@ -76,8 +76,8 @@ static inline bool appearance_is_dark(const model *m, colour left)
 void onward_set_filter(onward *out, const model *m, colour by);
 /* Of an object with this material. */
 void appearance_set_material(appearance *out, const material *of);
-/* The same for another pigment; upper: it is a layer upon another. */
-void appearance_paint(appearance *out, const plan *p, const model *m, const appearance *of, const pigment *at, bool upper);
+/* The same for another pigment. */
+void appearance_paint(appearance *out, const plan *p, const model *m, const appearance *of, const pigment *at);
 /* The same of one that has the finish, and is no layer: without the filter where no ray goes through. */
 void appearance_repaint(appearance *out, const plan *p, const model *m, const pigment *at);
 /* Where light does not go through the pigment, nor below it, and highlights are white: the same, with opacity 1. */

@@ -60,7 +60,7 @@ static void add(const shade_context *c, layers *l, const surfaces *s, const pain
     lanes_put(&l->on.geometry.bent, i, paint_normal(s, lane, t));
     if (!t)
         return;
-    paint_appearance(c->scene, &s->at[lane], t, !out->last, &l->on.varying[i]);
+    paint_appearance(c->scene, &s->at[lane], t, &l->on.varying[i]);
     l->on.at[i].appearance = &l->on.varying[i];
 }
 

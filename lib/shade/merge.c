@@ -38,7 +38,7 @@ static void add(term_sum *sum, const texture_term *t, const appearance *of, bool
 
     if (sum->hidden)
         return;
-    appearance_light_of(&one, m, of->finish, &t->pigment, upper);
+    appearance_light_of(&one, m, of->finish, &t->pigment);
     by = colour_scale(sum->left, t->share);
     sum->diffuse = colour_add(sum->diffuse, colour_mul(by, colour_scale(t->pigment.color, one.opacity * of->finish->diffuse)));
     sum->emitted = colour_add(sum->emitted, colour_mul(by, one.emitted));
@@ -121,7 +121,6 @@ typedef struct level {
     colour ambient, ambient_light, emission;
     float diffuse, bailout;
     int32_t number, upper;
-    bool colourless;
     float by_luminance;          /* 1 or 0: loops take conditions that are no numbers for branches */
 } level;
 
@@ -129,7 +128,7 @@ static level level_of(const model *m, const finish *f, uint32_t number, bool upp
 {
     const level out = { .ambient = f->ambient, .ambient_light = m->ambient_light, .emission = f->emission, .diffuse = f->diffuse,
                         .bailout = (float)m->adc_bailout, .number = (int32_t)number, .upper = upper,
-                        .colourless = upper && m->upper_layers_are_colourless, .by_luminance = m->opaque_dark_filters ? 1.0f : 0.0f };
+                        .by_luminance = m->opaque_dark_filters ? 1.0f : 0.0f };
 
     return out;
 }
@@ -162,20 +161,20 @@ SIMD_INLINE void put_component(sum_lanes *l, int k, uint32_t i, bool seen, compo
 }
 
 /* to: other memory, as compilers take what leaves some lanes as they are for branches. */
-SIMD_INLINE void add_lanes(const sum_lanes *restrict from, const level_lanes *restrict l, const level *at, uint32_t n, bool colourless,
-                           sum_lanes *restrict to)
+SIMD_CLONES static void add_level(const sum_lanes *restrict from, const level_lanes *restrict l, const level *at, uint32_t n,
+                                  sum_lanes *restrict to)
 {
     const level of = *at;
 
     for (uint32_t i = 0; i < n; i++) {
-        const float r = l->red[i], g = l->green[i], b = l->blue[i], transmit = l->transmit[i], all = l->filter[i] + transmit;
-        const float opacity = colourless ? 1.0f - all : 1.0f - l->covered[i] - transmit, own = opacity * of.diffuse;
+        const float r = l->red[i], g = l->green[i], b = l->blue[i], transmit = l->transmit[i];
+        const float opacity = 1.0f - l->covered[i] - transmit, own = opacity * of.diffuse;
         const component red = component_at(from, 0, i), green = component_at(from, 1, i), blue = component_at(from, 2, i);
-        const component more_red = add_component(red, l->share[i], r, opacity, own, colourless ? all : r * l->filter[i] + transmit,
+        const component more_red = add_component(red, l->share[i], r, opacity, own, r * l->filter[i] + transmit,
                                                  of.ambient.r, of.ambient_light.r, of.emission.r);
-        const component more_green = add_component(green, l->share[i], g, opacity, own, colourless ? all : g * l->filter[i] + transmit,
+        const component more_green = add_component(green, l->share[i], g, opacity, own, g * l->filter[i] + transmit,
                                                    of.ambient.g, of.ambient_light.g, of.emission.g);
-        const component more_blue = add_component(blue, l->share[i], b, opacity, own, colourless ? all : b * l->filter[i] + transmit,
+        const component more_blue = add_component(blue, l->share[i], b, opacity, own, b * l->filter[i] + transmit,
                                                   of.ambient.b, of.ambient_light.b, of.emission.b);
         const colour left = { more_red.left, more_green.left, more_blue.left };
         const float size = of.by_luminance > 0.0f ? fabsf(colour_luminance(left)) : colour_weight(left);
@@ -188,18 +187,6 @@ SIMD_INLINE void add_lanes(const sum_lanes *restrict from, const level_lanes *re
         to->last[i] = seen ? of.number : from->last[i];
         to->hidden[i] = seen ? ends : 1;
     }
-}
-
-SIMD_CLONES static void add_level(const sum_lanes *restrict from, const level_lanes *restrict l, const level *at, uint32_t n,
-                                  sum_lanes *restrict to)
-{
-    add_lanes(from, l, at, n, false, to);
-}
-
-SIMD_CLONES static void add_colourless(const sum_lanes *restrict from, const level_lanes *restrict l, const level *at, uint32_t n,
-                                       sum_lanes *restrict to)
-{
-    add_lanes(from, l, at, n, true, to);
 }
 
 static inline const texture_term *term_at(const painted *p, uint32_t i, uint32_t k) { return &p->terms[p->order[p->first[i] + k]]; }
@@ -349,7 +336,7 @@ static uint64_t merge_alike(const shading *scene, const alike *a, const painted 
 
         take_level(&l, a, p, k);
         find_covered(m, &l, whole);
-        (of.colourless ? add_colourless : add_level)(&sums[k & 1], &l, &of, whole, &sums[~k & 1]);
+        add_level(&sums[k & 1], &l, &of, whole, &sums[~k & 1]);
         if (a->of[k]->lit && first_lit > k)
             first_lit = k;
     }

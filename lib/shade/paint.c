@@ -311,7 +311,7 @@ static bool make_flat(const shading *scene, surfaces *s, const painted *p, uint3
     for (uint32_t k = 0; k < count; k++) {
         stack_layer *one = &out->layers[k];
 
-        paint_appearance(scene, &s->at[of], &p->terms[p->order[from + k]], k + 1 < count, &one->appearance);
+        paint_appearance(scene, &s->at[of], &p->terms[p->order[from + k]], &one->appearance);
         one->of.first = k == 0;
         one->of.last = k + 1 == count;
         one->of.share = 1.0f;
@@ -442,11 +442,11 @@ paint_kind paint_evaluate(const shading *scene, surfaces *s, painted *p)
 
 /* ---- surfaces ---- */
 
-void paint_appearance(const shading *scene, const surface *s, const texture_term *t, bool upper, appearance *out)
+void paint_appearance(const shading *scene, const surface *s, const texture_term *t, appearance *out)
 {
     const material *of = s->appearance->material;
 
-    appearance_paint(out, scene->plan, scene->model, shading_finish(scene, t->finish), &t->pigment, upper);
+    appearance_paint(out, scene->plan, scene->model, shading_finish(scene, t->finish), &t->pigment);
     appearance_set_material(out, of);
 }
 

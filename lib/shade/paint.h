@@ -27,7 +27,7 @@ paint_kind paint_evaluate(const shading *scene, surfaces *s, painted *p);
 /* Is the surface's texture constant, or one term that is all of it? */
 bool paint_is_single(const painted *p, uint32_t of);
 /* The appearance of a term. */
-void paint_appearance(const shading *scene, const surface *s, const texture_term *t, bool upper, appearance *out);
+void paint_appearance(const shading *scene, const surface *s, const texture_term *t, appearance *out);
 /* A term's normal, or that of the surface, which faces the ray's start. A perturbed one need not, as in POV-Ray. */
 pov_vec3 paint_normal(const surfaces *s, uint32_t lane, const texture_term *t);
 /* Set appearances and normals of surfaces that are one term each. */

@@ -54,14 +54,14 @@ bool stack_is_there(const material *of)
     return true;
 }
 
-static void make_appearance(appearance *out, const plan *p, const model *m, const texture *of, bool upper)
+static void make_appearance(appearance *out, const plan *p, const model *m, const texture *of)
 {
     static const pigment none;
     appearance bare;
 
     memset(&bare, 0, sizeof bare);
     appearance_make(&bare, p, m, &of->finish, &none);
-    appearance_paint(out, p, m, &bare, &of->pigment->most, upper);
+    appearance_paint(out, p, m, &bare, &of->pigment->most);
 }
 
 void stack_weigh(stack *of, const plan *p, const model *m)
@@ -92,7 +92,7 @@ stack *stack_create(const plan *p, const model *m, const material *of)
     for (uint32_t k = 0; k < t->count; k++) {
         stack_layer *one = &out->layers[k];
 
-        make_appearance(&one->appearance, p, m, t->textures[t->count - 1 - k], k + 1 < t->count);
+        make_appearance(&one->appearance, p, m, t->textures[t->count - 1 - k]);
         appearance_set_material(&one->appearance, of);
         one->appearance.lasts = true;
         one->of.first = k == 0;

@@ -283,12 +283,8 @@ uint32_t texture_most_terms(const texture *of)
 
 /* ---- filters of shadow rays ---- */
 
-static colour filter_of(const pigment *p, bool colourless)
+static colour filter_of(const pigment *p)
 {
-    const float by = p->filter + p->transmit;
-
-    if (colourless)
-        return colour_of(by, by, by);
     return colour_add(colour_scale(p->color, p->filter), colour_of(p->transmit, p->transmit, p->transmit));
 }
 
@@ -301,7 +297,7 @@ static void find_stack_filters(const model *m, const texture *of, const texture_
     for (uint32_t k = 0; k < count; k++) {
         pigment_eval(m, layers[count - 1 - k]->pigment, points, n, pigments);
         for (uint32_t i = 0; i < n; i++) {
-            const colour by = filter_of(&pigments[i], m->upper_layers_are_colourless && k + 1 < count);
+            const colour by = filter_of(&pigments[i]);
 
             out[i] = k == 0 ? by : colour_mul(out[i], by);
         }

@@ -248,10 +248,47 @@ static void filters_are_products_of_layers_and_means_of_members(void **state)
     texture_filters(&r.model, material_of(&r, 1)->texture, &points, 1, &by);
     assert_true(by.r == 0.75f && by.g == 0.75f && by.b == 0.0f);
     reading_end(&r);
-    read_text(&r, "#version 3.1; sphere { 0, 1 pigment { rgbf <1, .5, 0, 1> } texture { pigment { rgbft <.5, 1, 1, .5, .25> } } }");
-    texture_filters(&r.model, material_of(&r, 0)->texture, &points, 1, &by);
-    assert_true(by.r == 0.75f && by.g == 0.375f && by.b == 0.0f);
-    reading_end(&r);
+}
+
+/* POV-Ray's pictures: a layer upon another loses the colour of its filter where the version is below 3.5, for good, and
+ * whatever the version of the whole scene is. Images keep theirs. */
+static void layers_are_colourless_if_laid_before_version_3_5(void **state)
+{
+#define BELOW "pigment { rgbf <1, .5, 0, 1> }"
+#define ABOVE "rgbft <.5, 1, 1, .5, .25>"
+    static const struct { const char *text; float r, g; } cases[] = {
+        { "#version 3.1; sphere { 0, 1 " BELOW " texture { pigment { " ABOVE " } } }", .75f, .375f },
+        { "#version 3.1; sphere { 0, 1 " BELOW " texture { pigment { " ABOVE " } } } #version 3.7;", .75f, .375f },
+        { "#version 3.7; sphere { 0, 1 " BELOW " texture { pigment { " ABOVE " } } } #version 3.1;", .5f, .375f },
+        { "#version 3.1; #declare T = texture { " BELOW " } texture { pigment { " ABOVE " } }\n#version 3.7;"
+          "sphere { 0, 1 texture { T } }", .75f, .375f },
+        { "#version 3.7; #declare T = texture { " BELOW " } texture { pigment { " ABOVE " } }\n#version 3.1;"
+          "sphere { 0, 1 texture { T } }", .75f, .375f },
+        { "#version 3.1; #declare T = texture { pigment { " ABOVE " } }\n#version 3.7;"
+          "sphere { 0, 1 texture { " BELOW " } texture { T } }", .5f, .375f },
+        { "#version 3.1; sphere { 0, 1 " BELOW " texture { pigment { gradient x pigment_map { [0 " ABOVE "] [1 gradient x "
+          "color_map { [0 " ABOVE "] [1 " ABOVE "] }] } } } }", .75f, .375f },
+        { "#version 3.1; sphere { 0, 1 " BELOW " texture { pigment { image_map { function 2, 2 { pigment { rgb <.5, 1, 1> } } "
+          "filter all .5 transmit all .25 } } } }", .5f, .375f },
+    };
+#undef BELOW
+#undef ABOVE
+    const pov_vec3 zero = pov_vec3_of(0, 0, 0);
+    texture_points points;
+
+    (void)state;
+    memset(&points, 0, sizeof points);
+    texture_point(&points, 0, pov_vec3_of(0.25, 0.25, 0), zero);
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        reading r;
+        colour by;
+
+        read_text(&r, cases[i].text);
+        texture_filters(&r.model, material_of(&r, 0)->texture, &points, 1, &by);
+        if (!(fabsf(by.r - cases[i].r) < 1e-3f && fabsf(by.g - cases[i].g) < 1e-3f && by.b == 0.0f))
+            fail_msg("%s: <%g, %g, %g>", cases[i].text, (double)by.r, (double)by.g, (double)by.b);
+        reading_end(&r);
+    }
 }
 
 static void wrong_textures_are_refused(void **state)
@@ -375,6 +412,7 @@ int main(void)
         cmocka_unit_test(equal_textures_are_one),
         cmocka_unit_test(a_moved_and_scaled_texture_is_the_same),
         cmocka_unit_test(filters_are_products_of_layers_and_means_of_members),
+        cmocka_unit_test(layers_are_colourless_if_laid_before_version_3_5),
         cmocka_unit_test(wrong_textures_are_refused),
     };
 
