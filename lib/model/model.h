@@ -107,7 +107,6 @@ typedef struct model {
     bool opaque_dark_filters;    /* nor do any through filters whose luminance is below adc_bailout */
     gamma gamma;
     bool opacity_uses_filter_colour;  /* 1 - (filter*max(r,g,b) + transmit) instead of 1 - filter - transmit */
-    bool upper_layers_are_colourless; /* what lies above another layer filters by filter + transmit, whatever its colour */
     bool fresnel_metallic;            /* metallic highlights by POV-Ray's factor, else 1 + m*(C - 1) */
     pov_dialect dialect;
     const char *dialect_reason;
