@@ -285,6 +285,7 @@ const texture *parse_texture_node(pov_reader *in, int end)
 
     parse_surface_begin(in, &s);
     read_content(in, &s, end);
+    s.material.finish.refraction = 1.0f;    /* the old factor is an object's, not that of what its texture is made of */
     return parse_surface_node(in, &s);
 }
 
@@ -313,6 +314,15 @@ static uint32_t add_layers(const texture **out, uint32_t count, const texture *o
     return count + of->count;
 }
 
+/* A ray goes on from the lowest layer, by the old `refraction` of the one on top. */
+static const texture *take_refraction(pov_reader *in, const texture *lowest, const texture *top)
+{
+    texture own = *lowest;
+
+    own.finish.refraction = top->finish.refraction;
+    return textures_texture(in, &own);
+}
+
 /* One upon another; an opaque layer hides those below it. */
 static const texture *lay(pov_reader *in, const texture *below, const texture *above)
 {
@@ -329,6 +339,7 @@ static const texture *lay(pov_reader *in, const texture *below, const texture *a
     count = add_layers(layers, add_layers(layers, 0, below), above);
     for (first = count - 1; first > 0 && !is_opaque(layers[first]);)
         first--;
+    layers[first] = take_refraction(in, layers[first], layers[count - 1]);
     memset(&all, 0, sizeof all);
     all.blend = BLEND_LAYERS;
     all.count = count - first;

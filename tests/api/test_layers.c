@@ -266,6 +266,42 @@ static void the_upper_normal_bends_what_goes_through(void **state)
     free(none);
 }
 
+/* What is seen of a light wall through a sheet, in a scene before version 3.1. */
+static double seen_through(const char *texture)
+{
+    char text[1024];
+    float *picture, seen;
+
+    snprintf(text, sizeof text, "#version 3.0; global_settings { assumed_gamma 1 } camera { direction z }\n"
+             "#default { finish { ambient 0 diffuse 0 } } plane { z, 5 pigment { color rgb 1 } finish { ambient 1 } }\n"
+             "disc { z, z, 9 texture { %s } }\n", texture);
+    picture = scenes_draw(text, 1, 1, 1, 1);
+    seen = picture[0];
+    free(picture);
+    return (double)seen;
+}
+
+/* As measured: the `refraction` of old scenes is that of an object's upper texture, and a factor of what the whole lets through. */
+static void the_upper_refraction_is_that_of_all_layers(void **state)
+{
+    static const char clear[] = "pigment { color rgbt <1, 1, 1, .8> }";
+    static const struct { const char *lower, *upper; double seen; } cases[] = {
+        { "finish { refraction .5 }", "", .64 }, { "", "finish { refraction .5 }", .32 },
+        { "finish { refraction .25 }", "finish { refraction .5 }", .32 },
+    };
+    char text[512];
+    (void)state;
+
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        snprintf(text, sizeof text, "%s %s } texture { %s %s", clear, cases[i].lower, clear, cases[i].upper);
+        assert_true(fabs(seen_through(text) - cases[i].seen) < 1e-6);
+    }
+    snprintf(text, sizeof text, "%s finish { refraction .5 }", clear);
+    assert_true(fabs(seen_through(text) - .4) < 1e-6);
+    snprintf(text, sizeof text, "gradient z texture_map { [0 %s finish { refraction .5 }] [1 %s] }", clear, clear);
+    assert_true(fabs(seen_through(text) - .8) < 1e-6);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -280,6 +316,7 @@ int main(void)
         cmocka_unit_test(mirrors_with_other_normals_stay_beside_total_reflection),
         cmocka_unit_test(films_are_as_thick_as_the_mirrored_ray_finds_them),
         cmocka_unit_test(the_upper_film_is_seen_in_total_reflection),
+        cmocka_unit_test(the_upper_refraction_is_that_of_all_layers),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
