@@ -78,6 +78,18 @@ const pattern *parse_pattern_space(pov_reader *in, const pattern_reading *r)
     return memcmp(&space, &none, sizeof none) == 0 ? NULL : textures_pattern(in, &space);
 }
 
+const pattern *parse_pattern_move_space(pov_reader *in, const pattern *space, const transform *moves)
+{
+    pattern_parsed own;
+
+    clear(&own);
+    own.pattern.class = &pattern_average;
+    if (space)
+        own = *textures_parsed(space);
+    parse_append_transforms(in, &own.moves, moves, NULL);
+    return in->failed ? NULL : textures_pattern(in, &own);
+}
+
 void parse_pattern_take_space(pattern_reading *r, const pattern *space)
 {
     parse_pattern_take(r, space);

@@ -32,6 +32,7 @@ bool parse_pattern_modifier(pov_reader *in, pattern_reading *r);
 const pattern *parse_pattern_end(pov_reader *in, pattern_reading *r);
 /* Modifiers without a pattern, for one that may follow in another block. NULL: there are none, or the reader has failed. */
 const pattern *parse_pattern_space(pov_reader *in, const pattern_reading *r);
+const pattern *parse_pattern_move_space(pov_reader *in, const pattern *space, const transform *moves);
 void parse_pattern_take_space(pattern_reading *r, const pattern *space);
 
 /* Patterns that are not drawn yet, and modifiers that belong to them or change nothing; both end with KEYWORD_OTHER. */

@@ -396,6 +396,15 @@ static const normal_node *perturbing(const surface_parsed *s)
     return s->normal && s->normal->pattern ? s->normal : NULL;
 }
 
+/* What no pattern can take the place of any more. */
+static const pigment_node *without_space(pov_reader *in, const pigment_node *p)
+{
+    pigment_node own = *p;
+
+    own.space = NULL;
+    return p->space ? textures_pigment(in, &own) : p;
+}
+
 static const texture *top_of(pov_reader *in, const surface_parsed *s)
 {
     texture top;
@@ -403,7 +412,7 @@ static const texture *top_of(pov_reader *in, const surface_parsed *s)
     if (s->whole)
         return s->whole;
     memset(&top, 0, sizeof top);
-    top.pigment = s->pigment ? s->pigment : textures_constant(in, &(pigment){ { 0.0f, 0.0f, 0.0f }, 0.0f, 0.0f });
+    top.pigment = s->pigment ? without_space(in, s->pigment) : textures_constant(in, &(pigment){ { 0.0f, 0.0f, 0.0f }, 0.0f, 0.0f });
     top.normal = perturbing(s);
     top.finish = s->material.finish;
     return textures_texture(in, &top);
@@ -416,9 +425,21 @@ const texture *parse_surface_node(pov_reader *in, const surface_parsed *s)
     return in->failed || !s->under ? top : lay(in, s->under, top);
 }
 
+/* A pattern that takes the place of a colour stands where that was moved to. */
+static const pigment_node *move_pigment(pov_reader *in, const pigment_node *p, const transform *moves)
+{
+    pigment_node own;
+
+    if (!p || p->pattern || !moves || in->failed)
+        return textures_move_pigment(in, p, moves);
+    own = *p;
+    own.space = parse_pattern_move_space(in, p->space, moves);
+    return in->failed ? p : textures_pigment(in, &own);
+}
+
 void parse_surface_move(pov_reader *in, surface_parsed *s, const transform *moves)
 {
-    s->pigment = textures_move_pigment(in, s->pigment, moves);
+    s->pigment = move_pigment(in, s->pigment, moves);
     s->normal = textures_move_normal(in, s->normal, moves);
     s->whole = textures_move(in, s->whole, moves);
     s->under = textures_move(in, s->under, moves);

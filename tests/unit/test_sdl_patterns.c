@@ -142,6 +142,27 @@ static void transformations_of_an_object_move_the_texture_that_stands_before_the
     reading_end(&r);
 }
 
+/* POV-Ray's pictures: the colour is plain, but what comes in its place stands where it was moved to. */
+static void a_pattern_in_place_of_a_colour_stands_where_that_was_moved_to(void **state)
+{
+    inverse_map space;
+    reading r;
+
+    (void)state;
+    read_text(&r, "#version 3.7; sphere { 0, 1 pigment { rgb 1 } translate <1, 0, 0> pigment { square } }\n"
+                  "#declare O = sphere { 0, 1 texture { pigment { rgb 1 } scale 2 } translate <1, 0, 0> }\n"
+                  "object { O translate <1, 0, 0> pigment { square } translate <1, 0, 0> }\n"
+                  "sphere { 0, 1 pigment { rgb 1 } translate <1, 0, 0> texture { pigment { square } } }\n"
+                  "object { O texture { pigment { rgbt 1 } } } object { O texture { pigment { rgbt 1 } } translate y }");
+    assert_int_equal(colour_at(&r, 0, 1.5, 0, 0.5), 'r');
+    assert_int_equal(colour_at(&r, 0, 0.5, 0, 0.5), 'y');
+    assert_int_equal(colour_at(&r, 1, 4, 0, 1), 'r');
+    assert_int_equal(colour_at(&r, 1, 2, 0, 1), 'y');
+    assert_null(model_texture_map(&r.model, 2, &space));
+    assert_int_equal(r.model.leaves.items[3].material, r.model.leaves.items[4].material);
+    reading_end(&r);
+}
+
 /* A union's texture is for members without one; its transformations move all. */
 static void members_of_unions_stand_in_the_space_that_their_texture_was_written_in(void **state)
 {
@@ -190,6 +211,7 @@ int main(void)
         cmocka_unit_test(what_stands_on_uv_coordinates_is_moved_within_its_own_block_only),
         cmocka_unit_test(pigments_of_the_sky_and_of_functions_do_not_begin_with_the_default),
         cmocka_unit_test(transformations_of_an_object_move_the_texture_that_stands_before_them),
+        cmocka_unit_test(a_pattern_in_place_of_a_colour_stands_where_that_was_moved_to),
         cmocka_unit_test(members_of_unions_stand_in_the_space_that_their_texture_was_written_in),
         cmocka_unit_test(copies_share_their_texture_and_linear_map),
     };
