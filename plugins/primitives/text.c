@@ -2,15 +2,21 @@
  *
  * The em of the font is 1 high. Outlines are taken as the font has them, unhinted; each glyph is a sweep of its own. */
 #include "common/clip.h"
+#include "common/simd.h"
 #include "common/swept.h"
 
 #include <ft2build.h>
 #include FT_FREETYPE_H
 #include FT_OUTLINE_H
 
+/* Boxes of glyphs that are tested side by side, by axis. */
+enum { SIDE = POV_BLOCK_MAX };
+typedef struct glyph_boxes { double lo[3][SIDE], hi[3][SIDE]; } glyph_boxes;
+
 typedef struct text {
     uint32_t count;              /* glyphs that have an outline */
     common_swept *glyph;
+    glyph_boxes *boxes;
     pov_two3 anchor;
     double scale;
     uint32_t pieces;             /* of all glyphs */
@@ -208,6 +214,29 @@ static void set_line(reading *r, const char *string)
 
 /* ---- in space ---- */
 
+static void put_box(glyph_boxes *b, uint32_t lane, pov_vec3 lo, pov_vec3 hi)
+{
+    b->lo[0][lane] = lo.x;
+    b->lo[1][lane] = lo.y;
+    b->lo[2][lane] = lo.z;
+    b->hi[0][lane] = hi.x;
+    b->hi[1][lane] = hi.y;
+    b->hi[2][lane] = hi.z;
+}
+
+/* Lanes past the end hold the last one again. */
+static void pack_boxes(text *t, const pov_host *host, pov_reader *in)
+{
+    const uint32_t blocks = (t->count + SIDE - 1) / SIDE;
+
+    t->boxes = blocks > 0 ? host->alloc(in, blocks * sizeof *t->boxes) : NULL;
+    for (uint32_t i = 0; t->boxes && i < blocks * SIDE; i++) {
+        const common_swept *g = &t->glyph[i < t->count ? i : t->count - 1];
+
+        put_box(&t->boxes[i / SIDE], i % SIDE, g->least, g->most);
+    }
+}
+
 static void place(text *t, const pov_host *host, pov_reader *in)
 {
     const pov_vec3 zero = { 0.0, 0.0, 0.0 };
@@ -232,6 +261,7 @@ static void place(text *t, const pov_host *host, pov_reader *in)
         t->glyph[i].hi = pov_two_scale(pov_two_sum(t->glyph[i].hi.hi, -middle.z), t->scale);
         common_swept_close(&t->glyph[i]);
     }
+    pack_boxes(t, host, in);
 }
 
 static void parse(void *self, const pov_host *host, pov_reader *in)
@@ -282,14 +312,59 @@ static bool bounds(const void *self, pov_box *out)
 
 static size_t scratch(const void *self) { return 3 * ((const text *)self)->pieces * sizeof(common_cross) + 1; }
 
+/* Of a line from `from` along d, where it is within all boxes' slabs of an axis, as in common_clip_axis(). */
+COMMON_INLINE void clip(double from, double d, const double *restrict lo, const double *restrict hi, double margin, double *restrict in,
+                        double *restrict out)
+{
+    COMMON_LOOP
+    for (uint32_t i = 0; i < SIDE; i++) {
+        const double a = (lo[i] - margin - from) / d, b = (hi[i] + margin - from) / d;
+
+        in[i] = common_greater(common_lesser(a, b), in[i]);
+        out[i] = common_lesser(common_greater(a, b), out[i]);
+    }
+}
+
+/* Glyphs of a block whose boxes a ray comes near, as bits: others common_swept_intersect() would leave out one by one. */
+COMMON_CLONES static uint32_t reached(const glyph_boxes *restrict b, const common_ray *restrict k, double tmax)
+{
+    const pov_vec3 f = pov_two3_hi(k->f), d = k->d;
+    const double margin = 0x1p-40 + 0x1p-48 * pov_largest(f), unit = k->unit;
+    const int64_t bit[SIDE] = { 1, 2, 4, 8, 16, 32, 64, 128 };
+    double in[SIDE], out[SIDE];
+    int64_t bits = 0;
+
+    COMMON_LOOP
+    for (uint32_t i = 0; i < SIDE; i++) {
+        in[i] = -HUGE_VAL;
+        out[i] = HUGE_VAL;
+    }
+    clip(f.x, d.x, b->lo[0], b->hi[0], margin, in, out);
+    clip(f.y, d.y, b->lo[1], b->hi[1], margin, in, out);
+    clip(f.z, d.z, b->lo[2], b->hi[2], margin, in, out);
+    COMMON_LOOP
+    for (uint32_t i = 0; i < SIDE; i++)
+        bits |= (in[i] <= out[i]) & (out[i] >= 0.0) & (in[i] * unit <= tmax) ? bit[i] : 0;
+    return (uint32_t)bits;
+}
+
+/* Of the glyphs from `first` on. A test of all costs as much as that of two alone. */
+static uint32_t reached_from(const text *t, uint32_t first, const common_ray *k, double tmax)
+{
+    const uint32_t most = t->count - first < SIDE ? t->count - first : SIDE, all = (1u << most) - 1;
+
+    return most > 2 ? all & reached(&t->boxes[first / SIDE], k, tmax) : all;
+}
+
 static void intersect(const void *self, const pov_ray *ray, pov_hits *hits)
 {
     const text *t = self;
     const common_ray k = common_enter(ray, t->anchor, t->scale);
 
-    for (uint32_t i = 0; i < t->count; i++)
-        if (!common_swept_intersect(&t->glyph[i], ray, &k, hits->scratch, hits))
-            return;
+    for (uint32_t first = 0; first < t->count; first += SIDE)
+        for (uint32_t left = reached_from(t, first, &k, hits->tmax); left; left &= left - 1)
+            if (!common_swept_intersect(&t->glyph[first + common_first_lane(left)], ray, &k, hits->scratch, hits))
+                return;
 }
 
 static bool inside(const void *self, pov_vec3 point, pov_vec3 point_lo)

@@ -8,7 +8,9 @@
 
 #include "support/check.h"
 #include "support/fake_reader.h"
+#include "support/rays.h"
 
+#include <stdio.h>
 #include <stdlib.h>
 
 static long rays;
@@ -314,6 +316,86 @@ static void glyphs_of_a_text_stand_side_by_side_in_one_plane(void **state)
     fake_reader_destroy(in);
 }
 
+static void *parse_text(const shape_class *c, pov_reader *in, const font *of, const char *written)
+{
+    void *self;
+
+    fake_reader_file(in, of->bytes, of->size);
+    fake_reader_text(in, written);
+    self = fake_reader_parse(in, c);
+    assert_non_null(self);
+    return self;
+}
+
+static uint32_t count_crossings(const shape_class *c, const void *self, const pov_ray *ray)
+{
+    static union { char bytes[1 << 16]; double aligned; } scratch;
+    pov_crossing at[256];
+    pov_hits hits = hits_to(HUGE_VAL, POV_WANT_ALL, at, 256);
+
+    hits.scratch = &scratch;
+    c->intersect(self, ray, &hits);
+    return hits.count;
+}
+
+/* How many crossings a ray has with glyphs that stand `step` apart. */
+static uint32_t count_of_each(const shape_class *c, const void *glyph, const pov_ray *ray, double step, int n)
+{
+    uint32_t sum = 0;
+
+    for (int i = 0; i < n; i++) {
+        const pov_ray moved = ray_from(pov_vec3_of(ray->org.x - step * i, ray->org.y, ray->org.z), ray->dir);
+
+        sum += count_crossings(c, glyph, &moved);
+    }
+    return sum;
+}
+
+/* Boxes of glyphs are tested side by side: however many there are, a ray has the crossings that it has with each alone. */
+static void check_long_text(const shape_class *c, const font *of, int n)
+{
+    static const char *const longest = "ttf font AAAAAAAAAAAAAAAAAAAAA 0.5 < 0.1 0 0 >";
+    enum { MOST = 21, EACH = 2000 };
+    pov_reader *in[3] = { fake_reader_create(), fake_reader_create(), fake_reader_create() };
+    const void *const glyph = parse_text(c, in[0], of, "ttf font A 0.5 < 0.1 0 0 >");
+    const void *const two = parse_text(c, in[1], of, "ttf font AA 0.5 < 0.1 0 0 >");
+    uint32_t crossed = 0;
+    char written[64];
+    pov_box box[2];
+    const void *line;
+
+    snprintf(written, sizeof written, "ttf font %s", strchr(longest, 'A') + (MOST - n));
+    line = parse_text(c, in[2], of, written);
+    assert_true(c->bounds(glyph, &box[0]) && c->bounds(two, &box[1]));
+    for (int i = 0; i < EACH; i++) {
+        const double step = box[1].hi.x - box[0].hi.x;
+        const pov_ray ray = ray_from(pov_vec3_of(between(-1.0, step * n), between(-0.2, 0.8), between(-0.1, 0.6)),
+                                     pov_vec3_of(between(-3.0, 3.0), between(-1.0, 1.0), i % 2 ? between(-1.0, 1.0) : 0.0));
+        const uint32_t count = count_of_each(c, glyph, &ray, step, n);
+
+        assert_int_equal(count_crossings(c, line, &ray), count);
+        crossed += count > 0;
+    }
+    assert_true(crossed > EACH / 10);
+    for (int i = 0; i < 3; i++)
+        fake_reader_destroy(in[i]);
+}
+
+static void a_long_text_is_crossed_where_its_glyphs_are(void **state)
+{
+    static const int lengths[] = { 1, 2, 3, 8, 9, 11, 16, 21 };
+    const shape_class *c = fake_reader_shape("text");
+    static font one;
+
+    (void)state;
+    if (!c)
+        skip();
+    families_seed(5);
+    font_make(&one, U);
+    for (size_t i = 0; i < sizeof lengths / sizeof *lengths; i++)
+        check_long_text(c, &one, lengths[i]);
+}
+
 /* A glyph without an outline counts as the place where it begins, as in POV-Ray: the line is as long as up to there. */
 static void blanks_count_for_the_box_of_a_text(void **state)
 {
@@ -351,7 +433,8 @@ int main(int argc, char **argv)
         cmocka_unit_test(a_bezier_prism_has_its_crossings), cmocka_unit_test(a_straight_cone_has_its_crossings),
         cmocka_unit_test(a_quadratic_cone_has_its_crossings), cmocka_unit_test(a_cubic_cone_has_its_crossings),
         cmocka_unit_test(a_bezier_cone_has_its_crossings), cmocka_unit_test(text_has_its_crossings),
-        cmocka_unit_test(glyphs_of_a_text_stand_side_by_side_in_one_plane), cmocka_unit_test(blanks_count_for_the_box_of_a_text),
+        cmocka_unit_test(glyphs_of_a_text_stand_side_by_side_in_one_plane),
+        cmocka_unit_test(a_long_text_is_crossed_where_its_glyphs_are), cmocka_unit_test(blanks_count_for_the_box_of_a_text),
     };
 
     rays = long_run_rays(argc, argv, 2000);
