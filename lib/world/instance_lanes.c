@@ -125,40 +125,108 @@ SIMD_INLINE pov_two start_of(const same_lanes *l, size_t lane, size_t j, double 
 }
 
 /* As put_axis(), by a row of the inverse. */
-SIMD_INLINE void put_row(const double row[3], const double row_lo[3], pov_two own, size_t lane, size_t i, pov_two x, pov_two y, pov_two z,
-                         const same_lanes *l, same_lanes *out)
+typedef struct inverse_row { pov_two a, b, c, own; } inverse_row;
+
+SIMD_INLINE inverse_row row_of(const instance_xform *p, int i)
 {
-    const pov_two a = pov_two_of(row[0], row_lo[0]), b = pov_two_of(row[1], row_lo[1]), c = pov_two_of(row[2], row_lo[2]);
-    const pov_two o = pov_two_add(pov_two_add(pov_two_add(pov_two_mul(a, x), pov_two_mul(b, y)), pov_two_mul(c, z)), own);
-    const pov_two ab = pov_two_add(pov_two_mul_double(a, l->component[DIR][lane]), pov_two_mul_double(b, l->component[DIR + 1][lane]));
-    const pov_two d = pov_two_add(ab, pov_two_mul_double(c, l->component[DIR + 2][lane]));
+    const pov_vec3 *c = p->column, *e = p->column_lo;
+    const inverse_row x = { { c[0].x, e[0].x }, { c[1].x, e[1].x }, { c[2].x, e[2].x }, { p->own_anchor.x, p->own_anchor_lo.x } };
+    const inverse_row y = { { c[0].y, e[0].y }, { c[1].y, e[1].y }, { c[2].y, e[2].y }, { p->own_anchor.y, p->own_anchor_lo.y } };
+    const inverse_row z = { { c[0].z, e[0].z }, { c[1].z, e[1].z }, { c[2].z, e[2].z }, { p->own_anchor.z, p->own_anchor_lo.z } };
+
+    return i == 0 ? x : i == 1 ? y : z;
+}
+
+/* Of a vector from the anchor. */
+SIMD_INLINE pov_two start_by(const inverse_row *r, pov_two x, pov_two y, pov_two z)
+{
+    return pov_two_add(pov_two_add(pov_two_add(pov_two_mul(r->a, x), pov_two_mul(r->b, y)), pov_two_mul(r->c, z)), r->own);
+}
+
+SIMD_INLINE void put_start(const inverse_row *r, size_t lane, size_t i, pov_two x, pov_two y, pov_two z, same_lanes *out)
+{
+    const pov_two o = start_by(r, x, y, z);
 
     out->component[i][lane] = o.hi;
     out->component[3 + i][lane] = o.lo;
+}
+
+SIMD_INLINE void put_direction(const inverse_row *r, size_t lane, size_t i, const same_lanes *l, same_lanes *out)
+{
+    const pov_two ab = pov_two_add(pov_two_mul_double(r->a, l->component[DIR][lane]), pov_two_mul_double(r->b, l->component[DIR + 1][lane]));
+    const pov_two d = pov_two_add(ab, pov_two_mul_double(r->c, l->component[DIR + 2][lane]));
+
     out->component[6 + i][lane] = d.hi;
     out->component[9 + i][lane] = d.lo;
 }
 
-SIMD_CLONES SIMD_NOINLINE static void find_same(const instance_xform *restrict p, const same_lanes *restrict l, same_lanes *restrict out)
+SIMD_CLONES SIMD_NOINLINE static void find_starts(const instance_xform *restrict p, const same_lanes *restrict l, same_lanes *restrict out)
 {
-    const pov_vec3 *c = p->column, *e = p->column_lo, at = p->anchor, own = p->own_anchor, own_lo = p->own_anchor_lo;
-    const double row0[3] = { c[0].x, c[1].x, c[2].x }, row1[3] = { c[0].y, c[1].y, c[2].y }, row2[3] = { c[0].z, c[1].z, c[2].z };
-    const double low0[3] = { e[0].x, e[1].x, e[2].x }, low1[3] = { e[0].y, e[1].y, e[2].y }, low2[3] = { e[0].z, e[1].z, e[2].z };
+    const inverse_row r = row_of(p, 0), s = row_of(p, 1), t = row_of(p, 2);
+    const pov_vec3 at = p->anchor;
 
     for (size_t i = 0; i < SAME; i++) {
         const pov_two x = start_of(l, i, 0, at.x), y = start_of(l, i, 1, at.y), z = start_of(l, i, 2, at.z);
 
-        put_row(row0, low0, pov_two_of(own.x, own_lo.x), i, 0, x, y, z, l, out);
-        put_row(row1, low1, pov_two_of(own.y, own_lo.y), i, 1, x, y, z, l, out);
-        put_row(row2, low2, pov_two_of(own.z, own_lo.z), i, 2, x, y, z, l, out);
+        put_start(&r, i, 0, x, y, z, out);
+        put_start(&s, i, 1, x, y, z, out);
+        put_start(&t, i, 2, x, y, z, out);
     }
 }
 
-/* As scale_point() and scale_direction() for an axis. */
-SIMD_INLINE void put_scaled(pov_two by, double anchor, pov_two own, size_t lane, size_t i, const same_lanes *l, same_lanes *out)
+SIMD_CLONES SIMD_NOINLINE static void find_directions(const instance_xform *restrict p, const same_lanes *restrict l, same_lanes *restrict out)
 {
-    const pov_two o = pov_two_add(pov_two_mul(by, start_of(l, lane, i, anchor)), own);
-    const pov_two d = pov_two_mul_double(by, l->component[DIR + i][lane]);
+    const inverse_row r = row_of(p, 0), s = row_of(p, 1), t = row_of(p, 2);
+
+    for (size_t i = 0; i < SAME; i++) {
+        put_direction(&r, i, 0, l, out);
+        put_direction(&s, i, 1, l, out);
+        put_direction(&t, i, 2, l, out);
+    }
+}
+
+/* Camera rays mostly start at one point. */
+SIMD_CLONES SIMD_NOINLINE static bool is_one_start(const same_lanes *restrict l)
+{
+    int64_t other = 0;
+
+    for (size_t k = 0; k < DIR; k++) {
+        int64_t bits[SAME];
+
+        memcpy(bits, l->component[k], sizeof bits);
+        for (size_t i = 0; i < SAME; i++)
+            other |= bits[i] ^ bits[0];
+    }
+    return other == 0;
+}
+
+/* Starts in object space: one that is known already is not computed again. */
+typedef struct known_start { const instance_xform *of; double from[DIR], own[DIR]; } known_start;
+
+static void find_one_start(known_start *k, const instance_xform *p, const same_lanes *l, same_lanes *out)
+{
+    double from[DIR];
+
+    for (size_t j = 0; j < DIR; j++)
+        from[j] = l->component[j][0];
+    if (k->of != p || memcmp(k->from, from, sizeof from) != 0) {
+        const pov_two3 own = instance_point(p, pov_vec3_of(from[0], from[1], from[2]), pov_vec3_of(from[3], from[4], from[5]));
+        const double components[DIR] = { own.x.hi, own.y.hi, own.z.hi, own.x.lo, own.y.lo, own.z.lo };
+
+        k->of = p;
+        memcpy(k->from, from, sizeof from);
+        memcpy(k->own, components, sizeof components);
+    }
+    for (size_t j = 0; j < DIR; j++)
+        for (size_t i = 0; i < SAME; i++)
+            out->component[j][i] = k->own[j];
+}
+
+/* The same by a diagonal inverse. */
+SIMD_INLINE void put_scaled(pov_two factor, pov_two own, size_t lane, size_t i, double anchor, const same_lanes *l, same_lanes *out)
+{
+    const pov_two o = pov_two_add(pov_two_mul(factor, start_of(l, lane, i, anchor)), own);
+    const pov_two d = pov_two_mul_double(factor, l->component[DIR + i][lane]);
 
     out->component[i][lane] = o.hi;
     out->component[3 + i][lane] = o.lo;
@@ -166,17 +234,15 @@ SIMD_INLINE void put_scaled(pov_two by, double anchor, pov_two own, size_t lane,
     out->component[9 + i][lane] = d.lo;
 }
 
-/* The same where the inverse is diagonal. */
 SIMD_CLONES SIMD_NOINLINE static void scale_same(const instance_xform *restrict p, const same_lanes *restrict l, same_lanes *restrict out)
 {
-    const pov_two x = pov_two_of(p->column[0].x, p->column_lo[0].x), y = pov_two_of(p->column[1].y, p->column_lo[1].y);
-    const pov_two z = pov_two_of(p->column[2].z, p->column_lo[2].z);
-    const pov_vec3 at = p->anchor, own = p->own_anchor, own_lo = p->own_anchor_lo;
+    const pov_vec3 *c = p->column, *e = p->column_lo, at = p->anchor, own = p->own_anchor, own_lo = p->own_anchor_lo;
+    const pov_two x = pov_two_of(c[0].x, e[0].x), y = pov_two_of(c[1].y, e[1].y), z = pov_two_of(c[2].z, e[2].z);
 
     for (size_t i = 0; i < SAME; i++) {
-        put_scaled(x, at.x, pov_two_of(own.x, own_lo.x), i, 0, l, out);
-        put_scaled(y, at.y, pov_two_of(own.y, own_lo.y), i, 1, l, out);
-        put_scaled(z, at.z, pov_two_of(own.z, own_lo.z), i, 2, l, out);
+        put_scaled(x, pov_two_of(own.x, own_lo.x), i, 0, at.x, l, out);
+        put_scaled(y, pov_two_of(own.y, own_lo.y), i, 1, at.y, l, out);
+        put_scaled(z, pov_two_of(own.z, own_lo.z), i, 2, at.z, l, out);
     }
 }
 
@@ -203,16 +269,21 @@ static inline void give_four(same_lanes *l, uint32_t at, uint32_t n, pov_ray *co
 }
 
 /* Up to eight of one instance. */
-static void rays_same(const instance_xform *p, const pov_ray *const *rays, pov_ray *const *own, uint32_t n)
+static void rays_same(known_start *k, const instance_xform *p, const pov_ray *const *rays, pov_ray *const *own, uint32_t n)
 {
     same_lanes l, out;
 
     take_four(rays, 0, n, &l);
     take_four(rays, LANES, n, &l);
-    if (p->axes)
+    if (p->axes) {
         scale_same(p, &l, &out);
-    else
-        find_same(p, &l, &out);
+    } else {
+        if (is_one_start(&l))
+            find_one_start(k, p, &l, &out);
+        else
+            find_starts(p, &l, &out);
+        find_directions(p, &l, &out);
+    }
     give_four(&out, 0, n, own);
     if (n > LANES)
         give_four(&out, LANES, n, own);
@@ -248,12 +319,13 @@ static bool any_axes(const instance_xform *const *p, uint32_t n)
 
 void instance_rays(const instance_xform *const *p, const pov_ray *const *rays, pov_ray *const *own, uint32_t n)
 {
+    known_start known = { .of = NULL };
     uint32_t some, i;
 
     for (; n > 0; n -= some, p += some, rays += some, own += some) {
         some = count_same(p, n);
         if (some >= LEAST) {
-            rays_same(p[0], rays, own, some);
+            rays_same(&known, p[0], rays, own, some);
             continue;
         }
         some = n < LANES ? n : LANES;
@@ -274,52 +346,36 @@ SIMD_INLINE pov_two from_anchor(const point_lanes *l, size_t lane, size_t j, dou
     return pov_two_add_double(pov_two_sum(l->at[j][lane], -anchor), l->at_lo[j][lane]);
 }
 
-SIMD_INLINE void put_point(point_lanes *out, size_t lane, size_t i, pov_two moved, pov_two own)
+SIMD_INLINE void put_point(point_lanes *out, size_t lane, size_t i, pov_two o)
 {
-    const pov_two o = pov_two_add(moved, own);
-
     out->at[i][lane] = o.hi;
     out->at_lo[i][lane] = o.lo;
 }
 
-SIMD_INLINE pov_two times_row(pov_two a, pov_two b, pov_two c, pov_two x, pov_two y, pov_two z)
-{
-    return pov_two_add(pov_two_add(pov_two_mul(a, x), pov_two_mul(b, y)), pov_two_mul(c, z));
-}
-
-SIMD_INLINE pov_two column_of(const instance_xform *p, int i, int j)
-{
-    const pov_vec3 hi = p->column[j], lo = p->column_lo[j];
-
-    return i == 0 ? pov_two_of(hi.x, lo.x) : i == 1 ? pov_two_of(hi.y, lo.y) : pov_two_of(hi.z, lo.z);
-}
-
 SIMD_CLONES SIMD_NOINLINE static void rotate_points(const instance_xform *restrict p, const point_lanes *restrict l, point_lanes *restrict out)
 {
-    const pov_two xx = column_of(p, 0, 0), xy = column_of(p, 0, 1), xz = column_of(p, 0, 2);
-    const pov_two yx = column_of(p, 1, 0), yy = column_of(p, 1, 1), yz = column_of(p, 1, 2);
-    const pov_two zx = column_of(p, 2, 0), zy = column_of(p, 2, 1), zz = column_of(p, 2, 2);
-    const pov_vec3 anchor = p->anchor, own = p->own_anchor, own_lo = p->own_anchor_lo;
+    const inverse_row r = row_of(p, 0), s = row_of(p, 1), t = row_of(p, 2);
+    const pov_vec3 anchor = p->anchor;
 
     for (size_t i = 0; i < SAME; i++) {
         const pov_two x = from_anchor(l, i, 0, anchor.x), y = from_anchor(l, i, 1, anchor.y), z = from_anchor(l, i, 2, anchor.z);
 
-        put_point(out, i, 0, times_row(xx, xy, xz, x, y, z), pov_two_of(own.x, own_lo.x));
-        put_point(out, i, 1, times_row(yx, yy, yz, x, y, z), pov_two_of(own.y, own_lo.y));
-        put_point(out, i, 2, times_row(zx, zy, zz, x, y, z), pov_two_of(own.z, own_lo.z));
+        put_point(out, i, 0, start_by(&r, x, y, z));
+        put_point(out, i, 1, start_by(&s, x, y, z));
+        put_point(out, i, 2, start_by(&t, x, y, z));
     }
 }
 
 /* The same where the inverse is diagonal. */
 SIMD_CLONES SIMD_NOINLINE static void stretch_points(const instance_xform *restrict p, const point_lanes *restrict l, point_lanes *restrict out)
 {
-    const pov_two x = column_of(p, 0, 0), y = column_of(p, 1, 1), z = column_of(p, 2, 2);
-    const pov_vec3 anchor = p->anchor, own = p->own_anchor, own_lo = p->own_anchor_lo;
+    const inverse_row r = row_of(p, 0), s = row_of(p, 1), t = row_of(p, 2);
+    const pov_vec3 anchor = p->anchor;
 
     for (size_t i = 0; i < SAME; i++) {
-        put_point(out, i, 0, pov_two_mul(x, from_anchor(l, i, 0, anchor.x)), pov_two_of(own.x, own_lo.x));
-        put_point(out, i, 1, pov_two_mul(y, from_anchor(l, i, 1, anchor.y)), pov_two_of(own.y, own_lo.y));
-        put_point(out, i, 2, pov_two_mul(z, from_anchor(l, i, 2, anchor.z)), pov_two_of(own.z, own_lo.z));
+        put_point(out, i, 0, pov_two_add(pov_two_mul(r.a, from_anchor(l, i, 0, anchor.x)), r.own));
+        put_point(out, i, 1, pov_two_add(pov_two_mul(s.b, from_anchor(l, i, 1, anchor.y)), s.own));
+        put_point(out, i, 2, pov_two_add(pov_two_mul(t.c, from_anchor(l, i, 2, anchor.z)), t.own));
     }
 }
 
@@ -457,8 +513,7 @@ SIMD_CLONES SIMD_NOINLINE static void rotate_same(const instance_xform *restrict
 /* As rotate_same() where the inverse is diagonal. */
 SIMD_CLONES SIMD_NOINLINE static void stretch_same(const instance_xform *restrict p, const normal_lanes *restrict from, same_units *restrict out)
 {
-    const pov_two x = pov_two_of(p->column[0].x, p->column_lo[0].x), y = pov_two_of(p->column[1].y, p->column_lo[1].y);
-    const pov_two z = pov_two_of(p->column[2].z, p->column_lo[2].z);
+    const pov_two x = row_of(p, 0).a, y = row_of(p, 1).b, z = row_of(p, 2).c;
 
     for (size_t i = 0; i < SAME; i++) {
         const pov_vec3 n = pov_vec3_of(pov_two_mul_double(x, from->x[i]).hi, pov_two_mul_double(y, from->y[i]).hi,

@@ -149,46 +149,57 @@ static bool is_same(const pov_ray *a, const pov_ray *b)
 enum { RAYS = 4, SEPARATION = 19 };   /* how many go at a shape, and how many lanes lie between them */
 enum { NO_ORIGIN = 1 };          /* an owner that no ray starts on */
 
-enum { MANY = 11 };              /* more than any number of lanes */
+enum { MANY = 20 };              /* more than any number of lanes */
 
-/* Side by side as one by one. */
-static void check_together(const instance_xform *p, const pov_ray *sent, uint32_t n)
+/* Side by side as one by one: as many as in packets, which start at points of their own, in groups of eight at one point, or all at
+ * one. */
+static void check_packet(const instance_xform *p, test_random *r, const pov_affine *map, const pov_box *own_box)
 {
+    enum { EIGHT = 8 };
+    const uint32_t kind = test_below(r, 3), n = 1 + test_below(r, MANY);
     const instance_xform *xforms[MANY];
     const pov_ray *rays[MANY];
-    pov_ray own[MANY], *to[MANY], one;
-    uint32_t i;
+    pov_ray sent[MANY], own[MANY], one, *to[MANY];
 
-    for (i = 0; i < MANY; i++) {
+    for (uint32_t i = 0; i < n; i++) {
+        const pov_ray *const first = kind == 2 ? &sent[0] : kind == 1 ? &sent[i / EIGHT * EIGHT] : &sent[i];
+
+        sent[i] = random_ray(r, map, own_box);
+        sent[i].org = first->org;
+        sent[i].org_lo = first->org_lo;
         xforms[i] = p;
-        rays[i] = &sent[i % RAYS];
+        rays[i] = &sent[i];
         to[i] = &own[i];
     }
     instance_rays(xforms, rays, to, n);
-    for (i = 0; i < n; i++) {
-        instance_ray(p, rays[i], &one);
+    for (uint32_t i = 0; i < n; i++) {
+        instance_ray(p, &sent[i], &one);
         assert_true(is_same(&own[i], &one));
     }
 }
 
 /* Starts of rays as points. */
-static void check_placed(const instance_xform *p, const pov_ray *sent, uint32_t n)
+static void check_placed(const instance_xform *p, test_random *r, const pov_affine *map, const pov_box *own_box)
 {
+    const uint32_t n = 1 + test_below(r, MANY);
     const instance_xform *xforms[MANY];
     pov_vec3 at[MANY], at_lo[MANY], *points[MANY], *points_lo[MANY];
+    pov_two3 one[MANY];
     uint32_t i;
 
-    for (i = 0; i < MANY; i++) {
+    for (i = 0; i < n; i++) {
+        const pov_ray ray = random_ray(r, map, own_box);
+
+        one[i] = instance_point(p, ray.org, ray.org_lo);
         xforms[i] = p;
-        at[i] = sent[i % RAYS].org;
-        at_lo[i] = sent[i % RAYS].org_lo;
+        at[i] = ray.org;
+        at_lo[i] = ray.org_lo;
         points[i] = &at[i];
         points_lo[i] = &at_lo[i];
     }
     instance_points(xforms, points, points_lo, n);
     for (i = 0; i < n; i++) {
-        const pov_two3 one = instance_point(p, sent[i % RAYS].org, sent[i % RAYS].org_lo);
-        const pov_vec3 hi = pov_two3_hi(one), lo = pov_two3_lo(one);
+        const pov_vec3 hi = pov_two3_hi(one[i]), lo = pov_two3_lo(one[i]);
 
         assert_memory_equal(&at[i], &hi, sizeof hi);
         assert_memory_equal(&at_lo[i], &lo, sizeof lo);
@@ -214,7 +225,7 @@ static void check_turned(const instance_xform *p, test_random *r, uint32_t n)
     assert_memory_equal(many, one, n * sizeof *many);
 }
 
-typedef struct tally { long fits, hits, misses, filtered, sure, definite_pair; } tally;
+typedef struct tally { long fits, hits, misses, filtered, sure, definite_pair, diagonal; } tally;
 
 /* False: it passes the frame by. */
 static bool put_ray(pov_rays *to, uint32_t i, const bvh_frame *frame, const pov_ray *ray, double tmax)
@@ -285,7 +296,6 @@ static void check_ellipsoid(const instance_xform *p, const bvh_frame *frame, con
 static void check_map(model *m, test_random *r, const shape_class *shape, pov_box own, tally *t)
 {
     const pov_candidate *of[RAYS] = { NULL };
-    pov_ray sent[RAYS];
     pov_crossing at[RAYS][2];
     pov_candidate candidates[RAYS];
     static pov_rays rays;
@@ -315,12 +325,12 @@ static void check_map(model *m, test_random *r, const shape_class *shape, pov_bo
         const double tmax = test_below(r, 2) ? HUGE_VAL : test_power(r, -3.0, 6.0);
 
         hits[i] = find_hits(&p, shape, &own, &ray, tmax, at[i]);
-        sent[i] = ray;
         if (put_ray(&rays, i * SEPARATION, &frame, &ray, tmax))
             lanes |= (uint64_t)1 << i * SEPARATION;
     }
-    check_together(&p, sent, 1 + test_below(r, MANY));
-    check_placed(&p, sent, 1 + test_below(r, MANY));
+    check_packet(&p, r, &map, &own);
+    check_placed(&p, r, &map, &own);
+    t->diagonal += p.axes;
     check_turned(&p, r, 1 + test_below(r, MANY));
     count = fits ? instance_filter_rays(&filters, NO_ORIGIN, &rays, lanes, candidates) : 0;
     for (i = 0; i < count; i++) {
@@ -334,7 +344,7 @@ static void check_map(model *m, test_random *r, const shape_class *shape, pov_bo
 static tally check_maps(const shape_class *shape, pov_box (*own)(test_random *r))
 {
     test_random r = { 17 };
-    tally t = { 0, 0, 0, 0, 0, 0 };
+    tally t = { 0, 0, 0, 0, 0, 0, 0 };
     int i, j;
 
     for (i = 0; i < MAPS; i += BATCH) {
@@ -344,8 +354,9 @@ static tally check_maps(const shape_class *shape, pov_box (*own)(test_random *r)
             check_map(&m, &r, shape, own(&r), &t);
         model_free(&m);
     }
-    print_message("%s: fits %ld, hits %ld, misses %ld, filtered %ld, sure %ld, twice %ld\n", shape->keyword, t.fits,
-                  t.hits, t.misses, t.filtered, t.sure, t.definite_pair);
+    print_message("%s: fits %ld, hits %ld, misses %ld, filtered %ld, sure %ld, twice %ld, diagonal %ld\n", shape->keyword, t.fits,
+                  t.hits, t.misses, t.filtered, t.sure, t.definite_pair, t.diagonal);
+    assert_true(t.diagonal > MAPS / 50);
     return t;
 }
 
