@@ -15,9 +15,11 @@ COMMON_INLINE size_t step_of(const common_box_block *b) { return b->count > 1 ? 
 
 void common_box_put(common_box_block *b, uint32_t lane, uint32_t p, double plane)
 {
-    float *first = b->plane[0];
+    float *const at = b->plane[0] + p * step_of(b) + lane;
 
-    first[p * step_of(b) + lane] = (float)plane;
+    *at = (float)plane;
+    if (p % 2 == 1 && *at == *(at - step_of(b)))
+        b->thin = 1;
 }
 
 /* Along an axis a plane at p is crossed at p * inverse + start, with an error below pad. */
@@ -77,30 +79,55 @@ COMMON_INLINE span common(span a, span b)
     return s;
 }
 
-COMMON_INLINE void test(const planes *p, const line *l, uint32_t i, common_chords *restrict out,
+/* Does the ray go through a slab while it definitely is within another two? */
+COMMON_INLINE int goes_through(const span *a, const span *within)
+{
+    return (int)(within->last < a->near) & (int)(a->far < within->first);
+}
+
+/* Within a slab that is thin no ray is for certain, but there are those that go through it within the others. */
+COMMON_INLINE int enters_thin(const span *x, const span *y, const span *z)
+{
+    const span xy = common(*x, *y), xz = common(*x, *z), yz = common(*y, *z);
+
+    return goes_through(z, &xy) | goes_through(y, &xz) | goes_through(x, &yz);
+}
+
+COMMON_INLINE void test(const planes *p, const line *l, uint32_t i, bool thin, common_chords *restrict out,
                         common_conditions *restrict say)
 {
     const span x = clip_axis(&l->x, p->lower[0], p->upper[0]), y = clip_axis(&l->y, p->lower[1], p->upper[1]);
-    const span s = common(common(x, y), clip_axis(&l->z, p->lower[2], p->upper[2]));
-    const int enters = (int)(s.near > 0.0f) & (int)(s.last < s.first), stays = (int)(s.last < 0.0f) & (int)(s.first > l->smax);
+    const span z = clip_axis(&l->z, p->lower[2], p->upper[2]), s = common(common(x, y), z);
+    const int is_ahead = s.near > 0.0f, enters = is_ahead & (int)(s.last < s.first);
+    const int stays = (int)(s.last < 0.0f) & (int)(s.first > l->smax), hits = thin ? enters | (is_ahead & enters_thin(&x, &y, &z)) : enters;
 
     out->lo[i] = s.near;
     out->hi[i] = s.last;
     say->maybe.lane[i] = -((common_float_greater(s.near, 0.0f) <= common_float_lesser(s.far, l->smax)) & !stays);
-    say->definite.lane[i] = -(enters & (int)(s.last < l->sure));
+    say->definite.lane[i] = -(hits & (int)(s.last < l->sure));
     say->definite_pair.lane[i] = -(enters & (int)(s.far < l->sure));
 }
 
-COMMON_INLINE void filter_lanes(const planes *p, const pov_rays *rays, size_t from, uint32_t some,
+COMMON_INLINE bool is_thin(const void *block) { return ((const common_box_block *)block)->thin != 0; }
+
+COMMON_INLINE void test_rays(const planes *p, const pov_rays *rays, size_t from, bool thin, common_chords *restrict out,
+                             common_conditions *restrict say)
+{
+    for (uint32_t i = 0; i < COMMON_FLOATS; i++) {
+        const line l = line_of(rays, from + i);
+        test(p, &l, i, thin, out, say);
+    }
+}
+
+COMMON_INLINE void filter_lanes(const planes *p, const pov_rays *rays, size_t from, uint32_t some, bool thin,
                                 common_chords *restrict out)
 {
     common_conditions say;
-    uint32_t i;
 
-    for (i = 0; i < COMMON_FLOATS; i++) {
-        const line l = line_of(rays, from + i);
-        test(p, &l, i, out, &say);
-    }
+    if (thin)
+        test_rays(p, rays, from, true, out, &say);
+    else
+        test_rays(p, rays, from, false, out, &say);
     common_gather(&say, COMMON_FLOATS, some, out);
 }
 
@@ -109,7 +136,15 @@ COMMON_INLINE void filter_rays(const void *block, uint32_t which, const pov_rays
 {
     const planes p = planes_of(block, which, POV_BLOCK_MAX);
 
-    filter_lanes(&p, rays, from, some, out);
+    filter_lanes(&p, rays, from, some, is_thin(block), out);
+}
+
+COMMON_INLINE void test_boxes(const void *block, const line *l, bool thin, common_chords *restrict out, common_conditions *restrict say)
+{
+    for (uint32_t i = 0; i < POV_BLOCK_MAX; i++) {
+        const planes p = planes_of(block, i, POV_BLOCK_MAX);
+        test(&p, l, i, thin, out, say);
+    }
 }
 
 COMMON_INLINE void filter_boxes(const void *block, const pov_rays *rays, size_t at, uint32_t some,
@@ -117,12 +152,11 @@ COMMON_INLINE void filter_boxes(const void *block, const pov_rays *rays, size_t 
 {
     const line l = line_of(rays, at);
     common_conditions say;
-    uint32_t i;
 
-    for (i = 0; i < POV_BLOCK_MAX; i++) {
-        const planes p = planes_of(block, i, POV_BLOCK_MAX);
-        test(&p, &l, i, out, &say);
-    }
+    if (is_thin(block))
+        test_boxes(block, &l, true, out, &say);
+    else
+        test_boxes(block, &l, false, out, &say);
     common_gather(&say, POV_BLOCK_MAX, some, out);
 }
 
@@ -132,7 +166,7 @@ COMMON_INLINE void filter_rays_single(const void *block, uint32_t which, const p
 {
     const planes p = planes_of(block, which, 1);
 
-    filter_lanes(&p, rays, from, some, out);
+    filter_lanes(&p, rays, from, some, is_thin(block), out);
 }
 
 COMMON_INLINE void filter_single(const void *block, const pov_rays *rays, size_t at, uint32_t some,
@@ -142,7 +176,7 @@ COMMON_INLINE void filter_single(const void *block, const pov_rays *rays, size_t
     const planes p = planes_of(block, 0, 1);
     common_conditions say;
 
-    test(&p, &l, 0, out, &say);
+    test(&p, &l, 0, is_thin(block), out, &say);
     out->maybe = some & (uint32_t)say.maybe.lane[0];
     out->definite = (uint32_t)say.definite.lane[0];
     out->definite_pair = (uint32_t)say.definite_pair.lane[0];

@@ -10,7 +10,7 @@
 /* Planes in the frame, lower and upper by axis. Stored by lane, or one behind the other for a block of a single box.
  * Rows begin with whole vectors. */
 typedef struct common_box_block {
-    uint32_t count, unused[7];
+    uint32_t count, thin, unused[6];   /* thin: some are thinner than floats can tell, or planar */
     float plane[6][POV_BLOCK_MAX];
 } common_box_block;
 

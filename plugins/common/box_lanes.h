@@ -73,7 +73,8 @@ static inline void cross_axis(const box_lanes *l, uint32_t i, int axis, double o
 /* As compare() without escalation. */
 static inline int is_disjoint(double a, double b) { return fabs(a - b) > 8.0 * COMMON_U * (fabs(a) + fabs(b)); }
 
-/* The first of an axis's planes. */
+/* The first of an axis's planes. A definite hit without a component along the axis is between them, as if it had entered before
+ * anything else: distances of three axes differ. */
 static inline crossed enter_axis(const box_lanes *l, uint32_t i, int axis, double o, double o_lo, double d, double d_lo)
 {
     const int backward = d < 0.0;
@@ -82,7 +83,7 @@ static inline crossed enter_axis(const box_lanes *l, uint32_t i, int axis, doubl
     c.plane = backward ? l->plane[4 * axis + 2][i] : c.plane;
     c.plane_lo = backward ? l->plane[4 * axis + 3][i] : c.plane_lo;
     c.feature = backward ? 2.0 * axis + 1.0 : c.feature;
-    c.t = ((c.plane - o) + (c.plane_lo - o_lo)) / d;
+    c.t = d != 0.0 ? ((c.plane - o) + (c.plane_lo - o_lo)) / d : -0x1p996 * (axis + 1);
     return c;
 }
 

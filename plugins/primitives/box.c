@@ -139,13 +139,15 @@ static int compare(slabs *s, int p, int q)
     int sign;
 
     s->escalated = s->escalated || s->always_exact;
+    if (p / 2 == q / 2)
+        return compare_planes(s, p, q);
     /* A finite and an infinite distance need no slack. */
     if (difference > slack || difference == HUGE_VAL)
         return 1;
     if (difference < -slack || difference == -HUGE_VAL)
         return -1;
     s->escalated = true;
-    sign = p / 2 == q / 2 ? compare_planes(s, p, q) : compare_products(s, p, q);
+    sign = compare_products(s, p, q);
     return (s->d[p / 2] < 0.0) != (s->d[q / 2] < 0.0) ? -sign : sign;
 }
 
