@@ -61,6 +61,9 @@ static void ask_open(packet *p, const leaf_batch *r, pairs *open, const xform_ba
     open->count = 0;
 }
 
+/* Is it a batch of one shape, which takes several rays side by side? */
+static inline bool takes_several(const leaf_batch *r) { return r->count == 1 && r->shape->intersect_many; }
+
 /* Most leaves are one batch, and this is most of what is done with them. */
 SIMD_INLINE void filter(packet *p, const leaf_batch *r, uint64_t lanes)
 {
@@ -89,14 +92,14 @@ SIMD_INLINE void filter(packet *p, const leaf_batch *r, uint64_t lanes)
             hits->owner = r->object[0];
             ray = own_ray(p->context, &instanced, leaf_batch_xform(r), ray, p->of[m->ray], hits->owner);
             pairs_put(&open, r->instances, ray, hits);
-        } else if (r->shape == &csg_class) {
-            const void *tree = leaf_batch_instance(r, m->lane);
+        } else if (r->shape == &csg_class || takes_several(r)) {
+            const void *shape = leaf_batch_instance(r, m->lane);
 
-            if (open.count > 0 && open.selves[0] != tree)
+            if (open.count > 0 && open.selves[0] != shape)
                 ask_open(p, r, &open, &instanced, open_lanes);
             open_lanes[open.count] = (uint8_t)m->ray;
             hits_of(p, m->ray)->owner = r->object[m->lane];
-            pairs_put(&open, tree, ray, &p->hits[m->ray]);
+            pairs_put(&open, shape, ray, &p->hits[m->ray]);
         } else {
             ask_one(p, m->ray, r, m->lane);
         }
