@@ -130,17 +130,6 @@ static void take_row(packet *c, const middles *m, lattice l, int apart, int left
     const double v = m->v[y];
     uint32_t n = c->count;
 
-    if (step == 1) {
-        const uint32_t count = (uint32_t)(right - left);
-
-        for (uint32_t i = 0; i < count; i++) {
-            c->through.u[n + i] = m->u[(uint32_t)left + i];
-            c->through.v[n + i] = v;
-            c->out[n + i] = row + 4 * ((uint32_t)left + i);
-        }
-        c->count = n + count;
-        return;
-    }
     for (int x = between ? left + l.step : left; x < right; x += step, n++) {
         c->through.u[n] = m->u[x];
         c->through.v[n] = v;
