@@ -156,8 +156,6 @@ static void expect_all(const planes *p)
  * the worth falls by half of that, by two and a half octaves. The rank of a worth is the beginning of its bits as a float. */
 static const float falls_by = 0.36f;
 
-typedef struct ranked { uint32_t count; int rank; } ranked;
-
 static int rank_of(float worth)
 {
     uint32_t bits;
@@ -168,16 +166,20 @@ static int rank_of(float worth)
     return (int)(bits >> (23 - RANK_BITS));
 }
 
-/* The count that a pixel gets in any case, and its rank with that. */
-static ranked rank_pixel(uint32_t count, float error, uint32_t least)
+/* The count that a pixel gets in any case, by its number as in singles. */
+static int raised(int number, uint32_t least)
 {
-    uint32_t n = count;
+    while (1u << (number - 1) < least && 1u << (number - 1) < SAMPLES_MAX)
+        number++;
+    return number;
+}
 
-    while (n < least && n < SAMPLES_MAX)
-        n *= 2;
-    for (uint32_t k = count; k < n; k *= 2)
-        error *= 2.0f * falls_by;   /* as if of one sample */
-    return (ranked){ n, rank_of(error / ((float)n * (float)n)) };
+/* The rank of a pixel with that count. error: as if of one sample, with the count that it has. */
+static int rank_pixel(int has, int gets, float error)
+{
+    for (int k = has; k < gets; k++)
+        error *= 2.0f * falls_by;
+    return rank_of(error * ldexpf(1.0f, -2 * (gets - 1)));
 }
 
 static int doublings(int rank, int threshold)
@@ -217,44 +219,34 @@ static int find_threshold(tally *ranks, double pixels, const goal *g)
     return threshold;
 }
 
-static ranked rank_at(const cells *c, const planes *p, int x, int y, uint32_t least)
-{
-    return rank_pixel(cells_count(c, x, y), row_of(p, LIGHT, y)[x], least);
-}
-
+/* The ranks take the places of the errors. */
 static void count_ranks(const cells *c, const planes *p, uint32_t least, tally *ranks)
 {
     memset(ranks, 0, RANKS * sizeof *ranks);
     for (int y = 0; y < p->height; y++)
         for (int x = 0; x < p->width; x++) {
-            const ranked r = rank_at(c, p, x, y, least);
+            const singles *s = &c->singles[group_of(c->columns, x, y)];
+            const int place = place_of(x, y), gets = raised(s->has[place], least);
+            float *at = row_of(p, LIGHT, y) + x;
+            const int rank = rank_pixel(s->has[place], gets, *at);
 
-            ranks[r.rank].count += r.count;
-            ranks[r.rank].square += (double)c->singles[group_of(c->columns, x, y)].square[place_of(x, y)];
+            *at = (float)rank;
+            ranks[rank].count += 1u << (gets - 1);
+            ranks[rank].square += (double)s->square[place];
         }
 }
 
-static uint8_t number_of(uint32_t count)
-{
-    uint8_t number = 1;
-
-    while (count > 1u << (number - 1))
-        number++;
-    return number;
-}
-
-/* A group's target is the most of its pixels'. True: the pixel gets more. */
-static bool give(cells *c, int x, int y, uint32_t count)
+/* So many doublings above `least`. A group's target is the most of its pixels'. True: the pixel gets more. */
+static bool give(cells *c, int x, int y, uint32_t least, int more)
 {
     const size_t number = group_of(c->columns, x, y);
     singles *s = &c->singles[number];
-    const int place = place_of(x, y);
-    const uint8_t to = number_of(count < SAMPLES_MAX ? count : SAMPLES_MAX);
+    const int place = place_of(x, y), has = s->has[place], to = raised(has, least) + more;
 
-    s->gets[place] = to > s->has[place] ? to : s->has[place];
+    s->gets[place] = (uint8_t)(single_count((uint8_t)to) < SAMPLES_MAX ? to : raised(has, SAMPLES_MAX));
     if (single_count(s->gets[place]) > c->groups[number].target)
         c->groups[number].target = single_count(s->gets[place]);
-    return s->gets[place] > s->has[place];
+    return s->gets[place] > has;
 }
 
 bool budget_singles_next(cells *c, const goal *g, uint32_t least)
@@ -269,11 +261,8 @@ bool budget_singles_next(cells *c, const goal *g, uint32_t least)
     count_ranks(c, &p, least, ranks);
     threshold = find_threshold(ranks, (double)c->width * (double)c->height, g);
     for (int y = 0; y < c->height; y++)
-        for (int x = 0; x < c->width; x++) {
-            const ranked r = rank_at(c, &p, x, y, least);
-
-            more |= give(c, x, y, r.count << doublings(r.rank, threshold));
-        }
+        for (int x = 0; x < c->width; x++)
+            more |= give(c, x, y, least, doublings((int)row_of(&p, LIGHT, y)[x], threshold));
     return more;
 }
 
@@ -283,6 +272,6 @@ bool budget_singles_all(cells *c, uint32_t target)
 
     for (int y = 0; y < c->height; y++)
         for (int x = 0; x < c->width; x++)
-            more |= give(c, x, y, target);
+            more |= give(c, x, y, target, 0);
     return more;
 }
