@@ -361,26 +361,23 @@ static void find_mean(const cells *c, const double *halves, const share *n, floa
 /* The least square that is not zero, so that a pixel whose halves differ is known to do so. */
 static float narrowed(double square) { return square > 0.0 ? fmaxf((float)square, FLT_MIN) : 0.0f; }
 
-/* Samples of a pixel of the tile. */
-static uint32_t count_of(const cells *c, const refinement *r, size_t number, int x, int y)
-{
-    return c->singles ? single_count(r->singles[number].has[place_of(x, y)]) : r->groups[number].count;
-}
-
 /* A group whose count has grown is measured again from its halves. */
 void cells_measure(const cells *c, pov_rect tile, const encoding *e, refinement *of, float *pixels)
 {
     const cell_range r = cells_of(tile);
+    const double *halves = of->halves;
+    group *groups = of->groups;
     showing *shown = of->shown;
+    singles *own = c->singles ? of->singles : NULL;
 
     for (int i = 0; i < GROUPS * r.columns * r.rows; i++)
-        of->groups[i].clipped = 0;
+        groups[i].clipped = 0;
     memset(shown, 0, GROUPS * (size_t)r.columns * (size_t)r.rows * sizeof *shown);
     for (int y = 0; y < tile.height; y++)
         for (int x = 0; x < tile.width; x++) {
             const size_t into = group_of(r.columns, x, y);
-            const double *h = of->halves + c->sums * (y * tile.width + x);
-            const share n = share_of(count_of(c, of, into, x, y));
+            const double *h = halves + c->sums * (y * tile.width + x);
+            const share n = share_of(own ? single_count(own[into].has[place_of(x, y)]) : groups[into].count);
             const double square = square_of_error(e, h, &n);
             float *out = pixels + 4 * (y * tile.width + x), linear[4];
 
@@ -388,9 +385,9 @@ void cells_measure(const cells *c, pov_rect tile, const encoding *e, refinement 
             encoding_linear(e, linear, 1);
             shown[into].square += square;
             shown[into].fourth += c->alike ? 0.0 : square * square;
-            if (c->singles)
-                of->singles[into].square[place_of(x, y)] = narrowed(square);
-            of->groups[into].clipped += is_clipped(linear);
+            if (own)
+                own[into].square[place_of(x, y)] = narrowed(square);
+            groups[into].clipped += is_clipped(linear);
             show(c, &shown[into], tile.x + x, tile.y + y, linear);
         }
     for (int i = 0; c->alike && i < GROUPS * r.columns * r.rows; i++)
