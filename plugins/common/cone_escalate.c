@@ -210,17 +210,36 @@ static pov_two3 direction_of(const common_cone *s, const common_ray *k)
     return d;
 }
 
+/* Does the slab certainly begin at the end of the interval, or behind it? So does what is within: nothing is reported, but that the end is
+ * near. Lights often lie in the plane of a cap. */
+static bool begins_behind(const span *slab, double middle, double unit, pov_hits *hits)
+{
+    const pov_two t = pov_two_add_double(slab->lo, middle);
+    const double gap = (hits->tmax - t.hi * unit) - t.lo * unit;
+
+    if (slab->empty || slab->from_ever || !(hits->slack > 0.0 && gap < 0.25 * hits->slack) || (hits->want != POV_WANT_ALL && hits->count > 0))
+        return false;
+    hits->near_end = hits->near_end || fabs(gap) < hits->slack;
+    return true;
+}
+
 void common_cone_escalate(const common_cone *s, const common_ray *k, const pov_ray *ray, double middle, pov_hits *hits)
 {
     const pov_two3 d = direction_of(s, k);
     const leaving leaves = ray->origin_surface == hits->owner ? leaving_of(s, k, d, ray->origin_mark.feature)
         : NOT_LEAVING;
     pov_two3 w = local_along(s, k, ray, middle);
-    span side = side_span(s, w, d), slab, both;
+    span side, slab, both;
     double further;
     bool in, out;
 
     hits->escalated++;
+    if (!s->open && leaves == NOT_LEAVING && s->slope.hi == 0.0 && fabs(d.z.hi) >= LEVEL) {
+        slab = slab_span(s, w.z, d.z);
+        if (begins_behind(&slab, middle, k->unit, hits))
+            return;
+    }
+    side = side_span(s, w, d);
     /* Recompute close to the apex, where all numbers are small; seen from further off they would be small
      * differences. */
     further = to_apex(s, &side, w, d);

@@ -52,11 +52,36 @@ static void on_the_side_double_double_does(void **state)
     }
 }
 
+/* Of a segment that ends in a cap's plane, on it, or before. */
+static void an_end_at_a_cap_is_near_and_not_crossed(void **state)
+{
+    static const double ends[] = { 3.0, 3.0 - 0x1p-51, 3.0 + 0x1p-51 };
+    static const bool near[] = { true, false, false };
+    static const pov_want wants[] = { POV_WANT_ALL, POV_WANT_NEAREST, POV_WANT_ANY };
+    const pov_ray ray = { .org = { 0.5, 0.25, -3.0 }, .dir = { 0.1, 0.0, 1.0 }, .origin_surface = POV_NO_OWNER };
+    pov_reader *in = fake_reader_create();
+    void *self;
+
+    (void)state;
+    fake_reader_text(in, "<0, 0, 0>, <0, 0, 2>, 1.25");
+    self = fake_reader_parse(in, cylinder);
+    for (int i = 0; i < 9; i++) {
+        pov_crossing at[2];
+        pov_hits hits = { .tmax = ends[i / 3], .want = wants[i % 3], .at = at, .capacity = 2, .owner = 0, .always_exact = true, .slack = 0x1p-90 };
+
+        cylinder->intersect(self, &ray, &hits);
+        assert_int_equal(hits.near_end, near[i / 3]);
+        assert_int_equal(hits.count, ends[i / 3] > 3.0 + 0x1p-60);
+    }
+    fake_reader_destroy(in);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(doubles_tell_whether_a_ray_along_the_axis_is_inside),
         cmocka_unit_test(on_the_side_double_double_does),
+        cmocka_unit_test(an_end_at_a_cap_is_near_and_not_crossed),
     };
 
     cylinder = fake_reader_shape("cylinder");
