@@ -122,12 +122,38 @@ SIMD_CLONES static bool is_near(const vec_lanes *restrict at, double scale, uint
     return near != 0;
 }
 
-/* ---- generators 1 and 2, vector noise ---- */
+/* ---- generator 3 ---- */
+
+/* The shift is so large that it rounds the points: values keep steps of 2^-29 in them. */
+SIMD_INLINE double shifted(double at, double scale) { return at * scale + 10000000.023157213; }
+
+SIMD_INLINE double whole_of(double v)
+{
+    const double down = floor(v);
+
+    return limit(v < 0.0 && down < v ? down + 1.0 : down);
+}
+
+SIMD_CLONES static void locate_3(const vec_lanes *restrict at, double scale, uint32_t n, lattice *restrict out)
+{
+    for (uint32_t i = 0; i < n; i++) {
+        const double x = shifted(at->x[i], scale), y = shifted(at->y[i], scale), z = shifted(at->z[i], scale);
+        const double xi = whole_of(x), yi = whole_of(y), zi = whole_of(z);
+
+        out->low[0][i] = (uint32_t)(int32_t)xi;
+        out->low[1][i] = (uint32_t)(int32_t)yi;
+        out->low[2][i] = (uint32_t)(int32_t)zi;
+        set_inside(out, i, x - xi, y - yi, z - zi);
+    }
+}
+
+/* ---- sums ---- */
 
 /* Where the numbers of each corner begin. */
 SIMD_INLINE void find_corners(const noise_tables *t, const lattice *l, uint32_t lane, const double *from[CORNERS])
 {
-    const size_t x = l->low[0][lane], y[2] = { l->low[1][lane], (y[0] + 1) & CELL_MASK }, z[2] = { l->low[2][lane], (z[0] + 1) & CELL_MASK };
+    const size_t x = l->low[0][lane], y0 = l->low[1][lane], z0 = l->low[2][lane];
+    const size_t y[2] = { y0, (y0 + 1) & CELL_MASK }, z[2] = { z0, (z0 + 1) & CELL_MASK };
     const size_t hx[2] = { t->hash[x], t->hash[x + 1] };
     const double *const copies = (const double *)(const void *)t->measured;   /* one behind the other */
 
@@ -136,6 +162,19 @@ SIMD_INLINE void find_corners(const noise_tables *t, const lattice *l, uint32_t 
 
         from[c] = copies + t->last[hxy ^ z[0]];
         from[c + 4] = copies + t->last[hxy ^ z[1]];
+    }
+}
+
+/* Of generator 3. */
+SIMD_INLINE void find_corners_3(const noise_tables *t, const lattice *l, uint32_t lane, const double *from[CORNERS])
+{
+    enum { MASK = NOISE_GRADIENTS - 1 };
+    const uint32_t x = l->low[0][lane], y = l->low[1][lane], z = l->low[2][lane];
+
+    for (uint32_t c = 0; c < CORNERS; c++) {
+        const uint32_t a = t->order[(x + (c & 1)) & MASK], b = t->order[(a + y + (c >> 1 & 1)) & MASK];
+
+        from[c] = t->gradient[(b + z + (c >> 2)) & MASK];
     }
 }
 
@@ -183,6 +222,35 @@ SIMD_INLINE void join(double parts[][PARTS], uint32_t n, double *restrict out)
 #endif
 }
 
+/* `count` components, of gradients or of measured numbers. */
+SIMD_INLINE void sum_components(const noise_tables *t, lattice *l, uint32_t n, bool of_gradients, int count,
+                                double parts[][LANES_MAX][PARTS], double *const out[])
+{
+    set_places(l, of_gradients ? 0.0 : 1.0, n);
+    for (uint32_t i = 0; i < n; i++) {
+        const double *from[CORNERS];
+        double sum[3][PARTS];
+
+        if (of_gradients)
+            find_corners_3(t, l, i, from);
+        else
+            find_corners(t, l, i, from);
+        sum_corners(l, i, from, count, sum);
+        for (int j = 0; j < count; j++)
+            memcpy(parts[j][i], sum[j], sizeof parts[j][i]);
+    }
+    for (int j = 0; j < count; j++)
+        join(parts[j], n, out[j]);
+}
+
+SIMD_CLONES static void sum_gradients(const noise_tables *t, lattice *l, uint32_t n, double *restrict out)
+{
+    SIMD_ALIGNED double parts[1][LANES_MAX][PARTS];
+    double *const to[] = { out };
+
+    sum_components(t, l, n, true, 1, parts, to);
+}
+
 /* A point by itself, as films have one. */
 static double sum_point(const noise_tables *t, lattice *l, uint32_t lane)
 {
@@ -225,18 +293,10 @@ static void sum_flat(const noise_tables *t, lattice *l, uint32_t n, vec_lanes *r
 #else
 SIMD_CLONES static void sum_points(const noise_tables *t, lattice *l, uint32_t n, double *restrict out)
 {
-    SIMD_ALIGNED double parts[LANES_MAX][PARTS];
+    SIMD_ALIGNED double parts[1][LANES_MAX][PARTS];
+    double *const to[] = { out };
 
-    set_places(l, 1.0, n);
-    for (uint32_t i = 0; i < n; i++) {
-        const double *from[CORNERS];
-        double sum[1][PARTS];
-
-        find_corners(t, l, i, from);
-        sum_corners(l, i, from, 1, sum);
-        memcpy(parts[i], sum[0], sizeof parts[i]);
-    }
-    join(parts, n, out);
+    sum_components(t, l, n, false, 1, parts, to);
 }
 
 static void sum_scalar(const noise_tables *t, lattice *l, uint32_t n, double *out)
@@ -247,91 +307,22 @@ static void sum_scalar(const noise_tables *t, lattice *l, uint32_t n, double *ou
         sum_points(t, l, n, out);
 }
 
-SIMD_INLINE void sum_components(const noise_tables *t, lattice *l, uint32_t n, int count, double *const out[])
-{
-    SIMD_ALIGNED double parts[3][LANES_MAX][PARTS];
-
-    set_places(l, 1.0, n);
-    for (uint32_t i = 0; i < n; i++) {
-        const double *from[CORNERS];
-        double sum[3][PARTS];
-
-        find_corners(t, l, i, from);
-        sum_corners(l, i, from, count, sum);
-        for (int j = 0; j < count; j++)
-            memcpy(parts[j][i], sum[j], sizeof parts[j][i]);
-    }
-    for (int j = 0; j < count; j++)
-        join(parts[j], n, out[j]);
-}
-
 SIMD_CLONES static void sum_vector(const noise_tables *t, lattice *l, uint32_t n, vec_lanes *restrict out)
 {
+    SIMD_ALIGNED double parts[3][LANES_MAX][PARTS];
     double *const to[] = { out->x, out->y, out->z };
 
-    sum_components(t, l, n, 3, to);
+    sum_components(t, l, n, false, 3, parts, to);
 }
 
 /* x and y alone. */
 SIMD_CLONES static void sum_flat(const noise_tables *t, lattice *l, uint32_t n, vec_lanes *restrict out)
 {
+    SIMD_ALIGNED double parts[2][LANES_MAX][PARTS];
     double *const to[] = { out->x, out->y };
 
-    sum_components(t, l, n, 2, to);
+    sum_components(t, l, n, false, 2, parts, to);
 }
 #endif
-
-/* ---- generator 3 ---- */
-
-/* The shift is so large that it rounds the points: values keep steps of 2^-29 in them. */
-SIMD_INLINE double shifted(double at, double scale) { return at * scale + 10000000.023157213; }
-
-SIMD_INLINE double whole_of(double v)
-{
-    const double down = floor(v);
-
-    return limit(v < 0.0 && down < v ? down + 1.0 : down);
-}
-
-SIMD_CLONES static void locate_3(const vec_lanes *restrict at, double scale, uint32_t n, lattice *restrict out)
-{
-    for (uint32_t i = 0; i < n; i++) {
-        const double x = shifted(at->x[i], scale), y = shifted(at->y[i], scale), z = shifted(at->z[i], scale);
-        const double xi = whole_of(x), yi = whole_of(y), zi = whole_of(z);
-
-        out->low[0][i] = (uint32_t)(int32_t)xi;
-        out->low[1][i] = (uint32_t)(int32_t)yi;
-        out->low[2][i] = (uint32_t)(int32_t)zi;
-        set_inside(out, i, x - xi, y - yi, z - zi);
-    }
-}
-
-SIMD_INLINE void find_corners_3(const noise_tables *t, const lattice *l, uint32_t lane, const double *from[CORNERS])
-{
-    enum { MASK = NOISE_GRADIENTS - 1 };
-    const uint32_t x = l->low[0][lane], y = l->low[1][lane], z = l->low[2][lane];
-
-    for (uint32_t c = 0; c < CORNERS; c++) {
-        const uint32_t a = t->order[(x + (c & 1)) & MASK], b = t->order[(a + y + (c >> 1 & 1)) & MASK];
-
-        from[c] = t->gradient[(b + z + (c >> 2)) & MASK];
-    }
-}
-
-SIMD_CLONES static void sum_gradients(const noise_tables *t, lattice *l, uint32_t n, double *restrict out)
-{
-    SIMD_ALIGNED double parts[LANES_MAX][PARTS];
-
-    set_places(l, 0.0, n);
-    for (uint32_t i = 0; i < n; i++) {
-        const double *from[CORNERS];
-        double sum[1][PARTS];
-
-        find_corners_3(t, l, i, from);
-        sum_corners(l, i, from, 1, sum);
-        memcpy(parts[i], sum[0], sizeof parts[i]);
-    }
-    join(parts, n, out);
-}
 
 #endif
