@@ -25,9 +25,18 @@ static int frame_of(const char *text, const frames *f, int otherwise)
     return frame < f->first ? f->first : frame;
 }
 
+/* Frames from 0 to 0 and from 1 to 1 are no animation, as in POV-Ray; what is not given counts as 0 here. */
+static bool is_animation(const povray *p)
+{
+    const int first = p->first_frame == POVRAY_NO_FRAME ? 0 : p->first_frame;
+    const int last = p->last_frame == POVRAY_NO_FRAME ? 0 : p->last_frame;
+
+    return first != last || (first != 0 && first != 1);
+}
+
 frames povray_frames(const povray *p)
 {
-    const bool asked = p->first_frame != POVRAY_NO_FRAME || p->last_frame != POVRAY_NO_FRAME;
+    const bool asked = is_animation(p);
     frames f = { .asked = asked, .first = 1, .last = 1, .cyclic = p->cyclic, .first_clock = p->first_clock,
                  .last_clock = p->last_clock };
 

@@ -241,6 +241,15 @@ static void frames_are_chosen_as_povray_does(void **state)
     }
 }
 
+static void frames_from_0_to_0_and_from_1_to_1_are_one_picture(void **state)
+{
+    (void)state;
+    assert_true(parse("s.pov +KFI1 +KFF1 +K2") && !povray_frames(&p).asked);
+    assert_true(parse("s.pov +KFI0 +KFF0") && !povray_frames(&p).asked);
+    assert_true(parse("s.pov +KFF0") && !povray_frames(&p).asked);
+    assert_true(parse("s.pov +KFI0 +KFF1") && povray_frames(&p).asked);
+}
+
 static void the_output_has_the_types_ending(void **state)
 {
     char name[256];
@@ -308,6 +317,7 @@ int main(void)
         cmocka_unit_test(what_povc_does_not_have_is_kept_for_a_warning),
         cmocka_unit_test(frames_have_clocks_and_names),
         cmocka_unit_test(frames_are_chosen_as_povray_does),
+        cmocka_unit_test(frames_from_0_to_0_and_from_1_to_1_are_one_picture),
         cmocka_unit_test(ini_files_are_found_and_read_as_povray_does),
         cmocka_unit_test(default_files_are_povrays),
         cmocka_unit_test(the_output_has_the_types_ending),
