@@ -127,12 +127,16 @@ static uint32_t find_hidden(const object_parsed *o, const around *a)
     return (hidden | of_unions | o->flags) & hiding_flags;
 }
 
+/* What is one solid throws its shadow as a whole, whatever its members say. */
 static uint32_t find_flags(const object_parsed *o, const around *a)
 {
     uint32_t flags = (o->flags & ~hiding_flags) | find_hidden(o, a);
 
-    for (; a; a = a->outer)
+    for (; a; a = a->outer) {
+        if (!is_union(a->group))
+            flags &= ~(uint32_t)LEAF_NO_SHADOW;
         flags |= a->group->flags & (LEAF_NO_SHADOW | LEAF_HOLLOW | LEAF_DOUBLE_ILLUMINATE | PHOTON_OBJECT_FLAGS);
+    }
     return flags;
 }
 

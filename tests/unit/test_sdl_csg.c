@@ -118,6 +118,21 @@ static void assert_hidden(const char *text, uint32_t first, uint32_t second)
     reading_end(&r);
 }
 
+/* As in POV-Ray, where only unions ask their members. */
+static void a_solid_throws_its_shadow_as_a_whole(void **state)
+{
+    const uint32_t none = LEAF_NO_SHADOW;
+
+    (void)state;
+    assert_hidden("union { sphere { 0, 1 no_shadow } sphere { 1, 1 } }", none, 0);
+    assert_hidden("union { union { sphere { 0, 1 } sphere { 1, 1 } no_shadow } sphere { 2, 1 } }", none, none);
+    assert_hidden("merge { sphere { 0, 1 no_shadow } sphere { 1, 1 no_shadow } }", 0, 0);
+    assert_hidden("intersection { sphere { 0, 1 no_shadow } sphere { 1, 1 no_shadow } }", 0, 0);
+    assert_hidden("union { difference { sphere { 0, 1 no_shadow } sphere { 1, 1 no_shadow } } sphere { 3, 1 } }", 0, 0);
+    assert_hidden("merge { union { sphere { 0, 1 } sphere { 1, 1 } no_shadow } sphere { 2, 1 } }", 0, 0);
+    assert_hidden("union { merge { sphere { 0, 1 } sphere { 1, 1 no_shadow } no_shadow } sphere { 2, 1 } }", none, none);
+}
+
 /* As in POV-Ray, whose intersections and differences ask no member which rays see it. */
 static void a_solid_is_seen_as_a_whole(void **state)
 {
@@ -206,6 +221,7 @@ int main(void)
         cmocka_unit_test(a_member_takes_what_it_lacks_from_the_nearest_group),
         cmocka_unit_test(transformations_of_groups_follow_their_members),
         cmocka_unit_test(flags_of_groups_hold_where_they_belong),
+        cmocka_unit_test(a_solid_throws_its_shadow_as_a_whole),
         cmocka_unit_test(a_solid_is_seen_as_a_whole),
         cmocka_unit_test(a_group_of_nothing_is_nothing),
         cmocka_unit_test(a_clip_is_moved_by_what_follows_it),
