@@ -103,7 +103,7 @@ static bool name_follows(const pov_reader *in)
 
 static spline *take_named(pov_reader *in)
 {
-    value v = expression_read(in);
+    value v = expression_operand(in);   /* a sign behind it is that of the next point */
     spline *s = NULL;
 
     if (!in->failed && v.kind == VALUE_SPLINE)

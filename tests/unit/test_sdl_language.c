@@ -291,6 +291,7 @@ static void what_povray_takes_is_taken(void **state)
     assert_radius("#declare S = spline { 0, 1 2, 3 4, 8 2, 5 } sphere { 0, S(2).x }", 5);
     assert_radius("#declare S = spline { 0, 1 0, 2 1, 3 } sphere { 0, S(0).x }", 2);
     assert_radius("#declare A = array[1] { spline { 0, 1 1, 3 } } #declare S = spline { A[0] 3, 9 } sphere { 0, S(2).x }", 6);
+    assert_radius("#declare S = spline { 0, 1 1, 3 } #declare T = spline { S -1, 9 } sphere { 0, T(-.5).x }", 5);
     assert_radius("#declare A = intersection { box { 0, 1 } box { <-1, .2, 0>, <.5, 2, 3> } } sphere { 0, 3 + trace(A, <.3, .5, -3>, z).z }", 3);
     assert_radius("#declare L = light_source { 0, 1 } light_source { L rgb <1, 0, 0> color rgb 1 translate x } sphere { 0, 2 }", 2);
     assert_radius("sphere { 0, 2 interior { ior 1.5 refraction 1 } interior { refraction } }", 2);
