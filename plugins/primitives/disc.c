@@ -2,6 +2,7 @@
  * it, the rim of its hole does.
  *
  * As a solid it is the half-space behind it, of whose plane only the ring is seen. */
+#include "common/lanes.h"
 #include "common/polygon.h"
 #include "common/radius.h"
 
@@ -94,60 +95,114 @@ static bool is_on_ring(const disc *d, const common_ray *k, pov_two t)
 
 /* 1: certainly on the ring; -1: certainly not; 0: undecided. The point is off by the error of the distance along a
  * direction shorter than 4, its own rounding and that of the ray's far start; its square by twice that of its length. */
-static int judge_ring(const disc *d, const common_ray *k, const common_root *root, double first, pov_vec3 w)
+COMMON_INLINE double judge_ring(const disc *d, const common_ray *k, const common_root *root, double first, pov_vec3 w)
 {
     const pov_vec3 p = pov_add(w, pov_scale(k->d, root->t.hi - first));
     const double square = pov_dot(p, p), size = pov_largest(p) + pov_largest(w);
     const double off = 4.0 * root->error + 8.0 * COMMON_U * size + common_far_slack(k);
     const double error = 4.0 * size * off + 4.0 * off * off + 8.0 * COMMON_U * (square + d->outer.hi);
+    const int is_off = (int)(square - error > d->outer.hi) | (int)(square + error < d->inner.hi);
+    const int is_on = (int)(square + error < d->outer.hi) & (int)(square - error > d->inner.hi);
 
-    if (!(error < HUGE_VAL))
-        return 0;
-    if (square - error > d->outer.hi || square + error < d->inner.hi)
-        return -1;
-    return square + error < d->outer.hi && square - error > d->inner.hi;
+    return !(error < HUGE_VAL) ? 0.0 : is_off ? -1.0 : is_on ? 1.0 : 0.0;
 }
 
-static void report(pov_hits *hits, const common_ray *k, pov_two t, bool escalated)
+/* Where a ray crosses the plane, a first quotient of that, and whether on the ring. */
+typedef struct plane_hit { common_root root; double first, ring; } plane_hit;
+
+COMMON_INLINE plane_hit look(const disc *d, const common_ray *k)
+{
+    const pov_vec3 n = pov_two3_hi(d->across);
+    const double slope = pov_dot(n, k->d), first = -pov_dot(n, pov_two3_hi(k->f)) / slope;
+    const pov_vec3 w = common_along(k, first);
+    const common_root root = common_polygon_distance(n, k, slope, 6.0 * COMMON_U * common_sum_of_sizes(n, k->d), first, w);
+
+    return (plane_hit){ root, first, judge_ring(d, k, &root, first, w) };
+}
+
+static void report(pov_hits *hits, double unit, pov_two t, bool escalated)
 {
     const uint32_t flags = POV_MARK_OUTWARD | (escalated ? POV_MARK_ESCALATED : 0);
 
-    if (isfinite(t.hi * k->unit))
-        pov_cross(hits, t.hi * k->unit, t.lo * k->unit, common_mark(0, flags));
+    if (isfinite(t.hi * unit))
+        pov_cross(hits, t.hi * unit, t.lo * unit, common_mark(0, flags));
 }
+
+/* False: it is left open. */
+static bool is_answered(const common_root *root, double unit, double ring, pov_hits *hits)
+{
+    const common_verdict verdict = common_judge(root, unit, COMMON_FINE, hits);
+    const bool crosses = ring > 0.0 && verdict == COMMON_GOOD && !hits->always_exact;
+
+    if (verdict == COMMON_OUTSIDE || (ring < 0.0 && !hits->always_exact))
+        return true;
+    if (crosses)
+        report(hits, unit, root->t, false);
+    return crosses;
+}
+
+/* A flat shape is never hit again by a ray that starts on it. */
+static bool is_passed(const disc *d, const pov_ray *ray, const pov_hits *hits) { return !d->seen || ray->origin_surface == hits->owner; }
 
 static void intersect(const void *self, const pov_ray *ray, pov_hits *hits)
 {
     const disc *d = self;
-    const pov_vec3 n = pov_two3_hi(d->across);
-    common_verdict verdict;
-    common_root root;
     common_ray k;
-    double slope, first;
-    pov_vec3 w;
-    int ring;
+    plane_hit at;
+    pov_two t;
 
-    if (!d->seen || ray->origin_surface == hits->owner)   /* a flat shape is never met again */
+    if (is_passed(d, ray, hits))
         return;
     k = common_enter(ray, d->centre, d->scale);
-    slope = pov_dot(n, k.d);
-    first = -pov_dot(n, pov_two3_hi(k.f)) / slope;
-    w = common_along(&k, first);
-    root = common_polygon_distance(n, &k, slope, 6.0 * COMMON_U * common_sum_of_sizes(n, k.d), first, w);
-    verdict = common_judge(&root, k.unit, COMMON_FINE, hits);
-    if (verdict == COMMON_OUTSIDE)
+    at = look(d, &k);
+    if (is_answered(&at.root, k.unit, at.ring, hits))
         return;
-    ring = hits->always_exact ? 0 : judge_ring(d, &k, &root, first, w);
-    if (ring < 0)
-        return;
-    if (ring > 0 && verdict == COMMON_GOOD) {
-        report(hits, &k, root.t, false);
-        return;
-    }
-    root.t = escalate_distance(d, &k, first);
+    t = escalate_distance(d, &k, at.first);
     hits->escalated++;
-    if (is_on_ring(d, &k, root.t))
-        report(hits, &k, root.t, true);
+    if (is_on_ring(d, &k, t))
+        report(hits, k.unit, t, true);
+}
+
+/* ---- several rays ---- */
+
+typedef struct hit_lanes { common_lane t, t_lo, error, unit, ring; } hit_lanes;
+
+COMMON_CLONES static void look_in_lanes(const disc *restrict d, const common_rays *restrict rays, hit_lanes *restrict out)
+{
+    for (uint32_t i = 0; i < COMMON_LANES; i++) {
+        const pov_ray ray = common_get_ray(rays, i);
+        const common_ray k = common_enter(&ray, d->centre, d->scale);
+        const plane_hit at = look(d, &k);
+
+        out->t[i] = at.root.t.hi;
+        out->t_lo[i] = at.root.t.lo;
+        out->error[i] = at.root.error;
+        out->unit[i] = k.unit;
+        out->ring[i] = at.ring;
+    }
+}
+
+/* Most are rays of one disc. */
+static void intersect_lanes(const void *const *selves, const pov_ray *const *rays, pov_hits *const *hits, uint32_t n)
+{
+    const disc *const d = selves[0];
+    common_rays of;
+    hit_lanes l;
+
+    for (uint32_t i = 0; i < COMMON_LANES; i += 4)
+        common_put_four_of(&of, i, rays, n);
+    look_in_lanes(d, &of, &l);
+    for (uint32_t i = 0; i < n; i++) {
+        const common_root root = { { l.t[i], l.t_lo[i] }, l.error[i], 0, 0 };
+
+        if (selves[i] != d || is_passed(d, rays[i], hits[i]) || !is_answered(&root, l.unit[i], l.ring[i], hits[i]))
+            intersect(selves[i], rays[i], hits[i]);
+    }
+}
+
+static void intersect_many(const void *const *selves, const pov_ray *const *rays, pov_hits *const *hits, uint32_t n)
+{
+    common_intersect_pairs(selves, rays, hits, n, intersect_lanes, intersect);
 }
 
 static void normal(const void *self, const pov_ray *ray, const pov_crossing *at, pov_vec3 *out)
@@ -156,6 +211,13 @@ static void normal(const void *self, const pov_ray *ray, const pov_crossing *at,
     (void)at;
     *out = ((const disc *)self)->normal;
 }
+
+static const pov_shape_fast disc_fast = {
+    .size = sizeof(pov_shape_fast),
+    .intersect_many = intersect_many,
+};
+
+static const void *extension(const char *name) { return common_is_fast(name) ? &disc_fast : NULL; }
 
 static const pov_shape_class disc_class = {
     .size = sizeof(pov_shape_class),
@@ -168,6 +230,7 @@ static const pov_shape_class disc_class = {
     .normal = normal,
     .inside = inside,
     .open = open,
+    .extension = extension,
 };
 
 static const pov_shape_class *const shapes[] = { &disc_class, NULL };
