@@ -52,10 +52,10 @@ static inline bool common_is_inward(const pov_ray *ray, const pov_hits *hits)
     return ray->origin_surface == hits->owner && (ray->origin_mark.flags & POV_MARK_INWARD);
 }
 
-/* The same of a pair of cross_sure(). */
-static inline bool common_is_sure_inward(const pov_ray *ray, const pov_crossing *at)
+/* The same of the pairs of cross_sure(): all of them do, or none. */
+static inline bool common_are_sure_inward(const pov_ray *const *rays, pov_crossing *const *at)
 {
-    return ray->origin_surface == at->owner && (ray->origin_mark.flags & POV_MARK_INWARD);
+    return rays[0]->origin_surface == at[0]->owner;
 }
 
 /* Error bound of a root, including the product of t and unit. */

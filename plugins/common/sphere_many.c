@@ -397,6 +397,7 @@ static void refine_others(const sphere_lanes *l, end_lanes *e)
 static uint32_t cross_sure_lanes(const void *const *selves, const pov_ray *const *rays, pov_crossing *const *at, pov_contact *const *contacts,
                                  uint32_t n)
 {
+    const double tmin = common_are_sure_inward(rays, at) ? HUGE_VAL : 0.0;
     sphere_lanes lanes;
     end_lanes end;
     uint32_t left;
@@ -404,7 +405,7 @@ static uint32_t cross_sure_lanes(const void *const *selves, const pov_ray *const
     for (uint32_t i = 0; i < COMMON_LANES; i += 4)
         put_four(&lanes, i, selves, rays, n);
     for (uint32_t i = 0; i < COMMON_LANES; i++)
-        lanes.tmin[i] = common_is_sure_inward(rays[common_lane_of(i, n)], at[common_lane_of(i, n)]) ? HUGE_VAL : 0.0;
+        lanes.tmin[i] = tmin;
     find_ends(&lanes, &end);
     left = write_ends(&end, (1u << n) - 1, at);
     if (left) {

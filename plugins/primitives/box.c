@@ -362,20 +362,6 @@ static void cross_many(const void *const *selves, const pov_ray *const *rays, po
     common_intersect_pairs(selves, rays, hits, n, cross_lanes, intersect);
 }
 
-/* Returns whether any of them goes into the box that it starts on. */
-static bool put_signs(box_lanes *l, const pov_ray *const *rays, pov_crossing *const *at, uint32_t n)
-{
-    bool any = false;
-
-    for (uint32_t i = 0; i < COMMON_LANES; i++) {
-        const bool inward = common_is_sure_inward(rays[common_lane_of(i, n)], at[common_lane_of(i, n)]);
-
-        l->sign[i] = inward ? -1.0 : 1.0;
-        any |= inward;
-    }
-    return any;
-}
-
 static uint32_t cross_sure_lanes(const void *const *selves, const pov_ray *const *rays, pov_crossing *const *at, pov_contact *const *contacts,
                                  uint32_t n)
 {
@@ -385,10 +371,13 @@ static uint32_t cross_sure_lanes(const void *const *selves, const pov_ray *const
     box_lanes lanes;
 
     put_pairs(&lanes, selves, rays, n);
-    if (put_signs(&lanes, rays, at, n))
+    if (common_are_sure_inward(rays, at)) {
+        for (uint32_t i = 0; i < COMMON_LANES; i++)
+            lanes.sign[i] = -1.0;
         find_ends(&lanes, &end);
-    else
+    } else {
         find_entries(&lanes, &end);
+    }
     for (uint32_t i = 0; i < n; i++)
         if (end.t[i] > 0.0)
             common_cross_sure(at[i], end.t[i], end.t_lo[i], (uint32_t)end.feature[i], mark_of(selves[i]));

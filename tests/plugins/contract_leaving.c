@@ -164,7 +164,7 @@ void who_goes_into_a_closed_shape_comes_out_once(void **unused)
 /* Rays that went in, and those of them that were not left open. */
 static uint32_t gone_in, crossed;
 
-/* Several that go in, and the ray itself among them. */
+/* Several that go in. */
 static bool exits_are_sure(const thing *t, const pov_ray *ray)
 {
     const void *selves[MOST];
@@ -185,10 +185,6 @@ static bool exits_are_sure(const thing *t, const pov_ray *ray)
     gone_in += count;
     if (count == 0)
         return true;
-    if (subject_uniform() < 0.5 && ray->origin_surface != OWNER) {
-        found[count].owner = OWNER + 1;
-        rays[count++] = ray;
-    }
     for (uint32_t i = 0; i < count; i++) {
         selves[i] = t->self;
         to[i] = &found[i];
@@ -201,7 +197,7 @@ static bool exits_are_sure(const thing *t, const pov_ray *ray)
 
         if (open >> i & 1)
             continue;
-        crossed += rays[i] != ray;
+        crossed++;
         subject.shape->intersect(t->self, rays[i], &hits);
         if (hits.count != 1 || single.t != found[i].t || single.t_lo != found[i].t_lo ||
             memcmp(&single.mark, &found[i].mark, sizeof single.mark) != 0 || !subject_is_contact(t->self, rays[i], &found[i], &contacts[i]))

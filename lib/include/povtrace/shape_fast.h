@@ -122,8 +122,8 @@ typedef struct pov_shape_fast {
      * last bit where that is a matter of rounding. A point is points[i][0] + points[i][1], in memory that goes on for another
      * two doubles at least; n is at least one. */
     void (*normal_at_many)(const void *const *selves, const pov_vec3 *const *points, pov_vec3 *const *out, uint32_t n);
-    /* [render] As cross_many() without a sink, where a ray has nothing but its definite hit in an interval that begins at zero, or, if its
-     * origin_surface is at[i]->owner, starts on the closed shape and goes into it, so that it has its exit: the crossing
+    /* [render] As cross_many() without a sink, where a ray has nothing but its definite hit in an interval that begins at zero, or, if the first
+     * ray's origin_surface is at[0]->owner, where each starts on its closed shape and goes into it, so that it has its exit: the crossing
      * of pair i is written to at[i], but for its owner, and if contacts is not NULL its point and normal to contacts[i], as normal_at_many()
      * has it if the class has that. n is 1 to POV_RAYS_MAX. Bit i: pair i is left open, whatever was written. */
     uint64_t (*cross_sure)(const void *const *selves, const pov_ray *const *rays, pov_crossing *const *at, pov_contact *const *contacts, uint32_t n);
