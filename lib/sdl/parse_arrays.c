@@ -168,7 +168,8 @@ static void add_whole(pov_reader *in, const arrays *a, style *l)
     if (in->failed)
         return;
     parse_add_object(in, &o);
-    if (in->failed || matrix || m->leaves.count != before + 1 || m->groups.count + m->texture_maps.count != others)
+    /* Of clipped ones some may be leaves, and others not. */
+    if (in->failed || matrix || o.clips || m->leaves.count != before + 1 || m->groups.count + m->texture_maps.count != others)
         return;
     l->leaf = m->leaves.items[before];
     l->material = m->materials.items[l->leaf.material];
