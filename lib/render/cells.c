@@ -104,9 +104,9 @@ size_t cells_samples_due(const cells *c, size_t number)
 
 bool cells_are_due(const cells *c, size_t number)
 {
-    const singles *s = &c->singles[number];
+    const singles *s = c->singles;
 
-    return c->singles ? memcmp(s->has, s->gets, sizeof s->has) != 0 : c->groups[number].target > c->groups[number].count;
+    return s ? memcmp(s[number].has, s[number].gets, sizeof s->has) != 0 : c->groups[number].target > c->groups[number].count;
 }
 
 uint32_t cells_fewest(const cells *c, size_t number)
