@@ -32,24 +32,33 @@ static void clip(pov_box *box, const pov_box *by)
     box->hi = pov_vec3_of(fmin(box->hi.x, by->hi.x), fmin(box->hi.y, by->hi.y), fmin(box->hi.z, by->hi.z));
 }
 
-/* The shape takes in as many of its transformations as it can; the others move its box. */
-static bool leaf_bounds(pov_reader *in, const object_parsed *o, pov_box *out)
+/* The shape takes in as many of its transformations as it can; the last `left` of them are still to move its box. */
+static bool shape_bounds(pov_reader *in, const object_parsed *o, uint32_t *left, pov_box *out)
 {
     const bool takes = o->leaf.shape->prepare && o->leaf.shape->absorb;
     const transform *first = takes ? o->map : NULL;
-    uint32_t left = takes ? 0 : parse_count_transforms(o->map);
     bool has_box;
     pov_affine map;
     subject s;
 
+    *left = takes ? 0 : parse_count_transforms(o->map);
     if (!subject_begin(in, o, &s))
         return false;
     while (first && !(transform_compose(first, &map) && s.shape->absorb(s.own, &map))) {
         first = first->before;
-        left++;
+        (*left)++;
     }
     has_box = s.shape->bounds(s.self, out);
     subject_end(in, &s);
+    return has_box;
+}
+
+static bool leaf_bounds(pov_reader *in, const object_parsed *o, pov_box *out)
+{
+    uint32_t left;
+    const bool has_box = shape_bounds(in, o, &left, out);
+    pov_affine map;
+
     if (has_box && left > 0 && transform_compose(parse_last_transforms(in, o->map, left), &map))
         *out = map_box(&map, out);
     return has_box;
@@ -184,14 +193,14 @@ bool object_bounds(pov_reader *in, const object_parsed *o, pov_box *out)
 
 /* ---- what lies within a convex solid ---- */
 
-/* A box in the space that a map moves from, around what lies in one behind it: wider by some times what is lost by rounding. */
-static pov_box box_before(const pov_affine *map, const pov_box *box)
+/* The box around one that a map moves, or its inverse: wider by some times what is lost by rounding. */
+static pov_box box_around(const pov_affine *map, bool inverse, const pov_box *box)
 {
     const double lo[3] = { box->lo.x, box->lo.y, box->lo.z }, hi[3] = { box->hi.x, box->hi.y, box->hi.z };
     double least[3], most[3];
 
     for (int i = 0; i < 3; i++) {
-        const double *const row = map->inv[i];
+        const double *const row = inverse ? map->inv[i] : map->m[i];
         double size = fabs(row[3]);
 
         least[i] = most[i] = row[3];
@@ -204,6 +213,22 @@ static pov_box box_before(const pov_affine *map, const pov_box *box)
         most[i] += 0x1p-45 * size;
     }
     return (pov_box){ pov_vec3_of(least[0], least[1], least[2]), pov_vec3_of(most[0], most[1], most[2]) };
+}
+
+/* The same of a leaf: all of it is certainly within. */
+static bool box_of_leaf(pov_reader *in, const object_parsed *o, pov_box *out)
+{
+    uint32_t left;
+    pov_affine map;
+
+    if (!shape_bounds(in, o, &left, out))
+        return false;
+    if (left == 0)
+        return true;
+    if (!transform_compose(parse_last_transforms(in, o->map, left), &map))
+        return false;
+    *out = box_around(&map, false, out);
+    return true;
 }
 
 static bool holds_corners(const subject *s, const pov_box *box)
@@ -227,7 +252,7 @@ static bool holds_box(pov_reader *in, const object_parsed *by, pov_box box)
 
     if (by->map && !transform_compose(by->map, &map))
         return false;
-    box = box_before(by->map ? &map : &same, &box);
+    box = box_around(by->map ? &map : &same, true, &box);
     if (!is_finite_box(&box) || !subject_begin(in, by, &s))
         return false;
     holds = holds_corners(&s, &box);
@@ -245,7 +270,7 @@ bool object_is_within(pov_reader *in, const object_parsed *o, const object_parse
     pov_box box;
 
     if (o->kind == OBJECT_LEAF)
-        return !(o->flags & LEAF_INVERSE) && !(o->leaf.shape->flags & POV_SHAPE_ENDLESS) && leaf_bounds(in, o, &box) && holds_box(in, by, box);
+        return !(o->flags & LEAF_INVERSE) && !(o->leaf.shape->flags & POV_SHAPE_ENDLESS) && box_of_leaf(in, o, &box) && holds_box(in, by, box);
     if (o->kind != OBJECT_GROUP || o->is_light_group || (o->flags & LEAF_INVERSE) || (o->op != NODE_UNION && o->op != NODE_MERGE))
         return false;
     for (const object_parsed *member = o->first; member; member = member->next) {
