@@ -226,44 +226,42 @@ void noise_turbulence(const noise_tables *t, int generator, const turbulence *of
     }
 }
 
-void noise_vector_turbulence(const noise_tables *t, const turbulence *of, const vec_lanes *at, uint32_t n,
-                             vec_lanes *value)
+/* flat: of x and y alone. */
+static void add_octaves(const noise_tables *t, const turbulence *of, const vec_lanes *at, uint32_t n, bool flat, vec_lanes *value)
 {
     const bool near = are_octaves_near(of, at, n);
-    double scale = of->lambda, factor = of->omega;
+    double scale = 1.0, factor = 1.0;
     vec_lanes term;
     lattice l;
 
-    locate(at, 1.0, near, lanes_whole(n), &l);
-    sum_vector(t, &l, n, value);
-    for (uint32_t octave = 1; octave < of->octaves; octave++) {
+    for (uint32_t octave = 0; octave == 0 || octave < of->octaves; octave++) {
+        vec_lanes *const to = octave == 0 ? value : &term;
+
         locate(at, scale, near, lanes_whole(n), &l);
-        sum_vector(t, &l, n, &term);
-        add(factor, term.x, n, value->x);
-        add(factor, term.y, n, value->y);
-        add(factor, term.z, n, value->z);
-        scale *= of->lambda;
-        factor *= of->omega;
+        if (flat)
+            sum_flat(t, &l, n, to);
+        else
+            sum_vector(t, &l, n, to);
+        if (octave > 0) {
+            add(factor, term.x, n, value->x);
+            add(factor, term.y, n, value->y);
+        }
+        if (octave > 0 && !flat)
+            add(factor, term.z, n, value->z);
+        scale = octave == 0 ? of->lambda : scale * of->lambda;
+        factor = octave == 0 ? of->omega : factor * of->omega;
     }
+}
+
+void noise_vector_turbulence(const noise_tables *t, const turbulence *of, const vec_lanes *at, uint32_t n,
+                             vec_lanes *value)
+{
+    add_octaves(t, of, at, n, false, value);
 }
 
 void noise_flat_turbulence(const noise_tables *t, const turbulence *of, const vec_lanes *at, uint32_t n, vec_lanes *value)
 {
-    const bool near = are_octaves_near(of, at, n);
-    double scale = of->lambda, factor = of->omega;
-    vec_lanes term;
-    lattice l;
-
-    locate(at, 1.0, near, lanes_whole(n), &l);
-    sum_flat(t, &l, n, value);
-    for (uint32_t octave = 1; octave < of->octaves; octave++) {
-        locate(at, scale, near, lanes_whole(n), &l);
-        sum_flat(t, &l, n, &term);
-        add(factor, term.x, n, value->x);
-        add(factor, term.y, n, value->y);
-        scale *= of->lambda;
-        factor *= of->omega;
-    }
+    add_octaves(t, of, at, n, true, value);
 }
 
 /* ---- one point ---- */
