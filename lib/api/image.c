@@ -2,6 +2,7 @@
 #include "api/handles.h"
 #include "api/image.h"
 #include "base/file.h"
+#include "base/pages.h"
 #include "render/encode.h"
 
 #include <ctype.h>
@@ -216,13 +217,13 @@ static void pack_rows(const pov_image *image, const float *rgba, size_t stride, 
 /* Pack the channels of each pixel, rows without gaps; NULL: no memory. */
 static void *pack(const env *e, const pov_image *image, const float *rgba, size_t stride)
 {
-    unsigned char *packed = env_resize(e, NULL, (size_t)image->height, image->stride);
+    unsigned char *packed = image->stride <= SIZE_MAX / (size_t)image->height ? pages_reserve(e, (size_t)image->height * image->stride) : NULL;
     float *straight = image->alpha ? env_resize(e, NULL, (size_t)image->width, 4 * sizeof *straight) : NULL;
 
     if (packed && (straight || !image->alpha)) {
         pack_rows(image, rgba, stride, straight, packed);
     } else {
-        env_free(e, packed);
+        pages_free(e, packed);
         packed = NULL;
     }
     env_free(e, straight);
@@ -264,7 +265,7 @@ static pov_status write_image(pov_context *context, place to, int width, int hei
         return err_memory(err);
     image.pixels = packed;
     status = to.output ? put_out(to.output, format, &image, err) : write_file(context, to.path, format, &image, err);
-    env_free(&context->env, packed);
+    pages_free(&context->env, packed);
     return status;
 }
 

@@ -92,11 +92,6 @@ size_t singles_sum(const uint8_t *numbers)
     return sum;
 }
 
-size_t cells_samples(const cells *c, size_t number)
-{
-    return c->singles ? singles_sum(c->singles[number].has) : cells_pixels(c, number) * c->groups[number].count;
-}
-
 size_t cells_samples_due(const cells *c, size_t number)
 {
     return c->singles ? singles_sum(c->singles[number].gets) : cells_pixels(c, number) * c->groups[number].target;
@@ -109,15 +104,13 @@ bool cells_are_due(const cells *c, size_t number)
     return s ? memcmp(s[number].has, s[number].gets, sizeof s->has) != 0 : c->groups[number].target > c->groups[number].count;
 }
 
-uint32_t cells_fewest(const cells *c, size_t number)
+uint32_t singles_fewest(const uint8_t *numbers)
 {
     uint8_t fewest = UINT8_MAX;
 
-    if (!c->singles)
-        return c->groups[number].count;
     for (int i = 0; i < CELL_EDGE * CELL_EDGE / GROUPS; i++)
-        if (c->singles[number].has[i] > 0 && c->singles[number].has[i] < fewest)
-            fewest = c->singles[number].has[i];
+        if (numbers[i] > 0 && numbers[i] < fewest)
+            fewest = numbers[i];
     return fewest < UINT8_MAX ? single_count(fewest) : 0;
 }
 

@@ -105,10 +105,17 @@ static inline int place_of(int x, int y) { return y % CELL_EDGE * (CELL_EDGE / G
 static inline uint32_t single_count(uint8_t number) { return number > 0 ? 1u << (number - 1) : 0; }
 size_t singles_sum(const uint8_t *numbers);
 /* Samples of all pixels of a group now and after this pass, and those of the pixel that has the fewest. */
-size_t cells_samples(const cells *c, size_t number);
+static inline size_t cells_samples(const cells *c, size_t number)
+{
+    return c->singles ? singles_sum(c->singles[number].has) : cells_pixels(c, number) * c->groups[number].count;
+}
 size_t cells_samples_due(const cells *c, size_t number);
 bool cells_are_due(const cells *c, size_t number);
-uint32_t cells_fewest(const cells *c, size_t number);
+uint32_t singles_fewest(const uint8_t *numbers);
+static inline uint32_t cells_fewest(const cells *c, size_t number)
+{
+    return c->singles ? singles_fewest(c->singles[number].has) : c->groups[number].count;
+}
 /* Can `has` and `gets` be those of single pixels of a group? measured: all have samples. */
 bool cells_are_singles_possible(const cells *c, size_t number, const uint8_t *has, const uint8_t *gets, bool measured);
 static inline uint32_t cells_count(const cells *c, int x, int y)

@@ -69,13 +69,35 @@ static uint16_t stored_16(const encoder *e, float v)
 static float part_of(float v) { return v > 0.0f ? (v < 1.0f ? v : 1.0f) : 0.0f; }
 
 /* NaN counts as no light. */
+static inline void store_lights(const float *rgba, size_t count, float *out)
+{
+    float some[4];
+
+    for (int c = 0; c < 4; c++)
+        some[c] = rgba[c] == rgba[c] ? rgba[c] : 0.0f;
+    memcpy(out, some, count * sizeof *out);
+}
+
+/* Three channels: what is written behind a pixel is overwritten by the next one. */
+static void store_colours(const float *rgba, size_t pixels, float *out)
+{
+    size_t i;
+
+    for (i = 0; i + 1 < pixels; i++)
+        store_lights(rgba + 4 * i, 4, out + 3 * i);
+    if (i < pixels)
+        store_lights(rgba + 4 * i, 3, out + 3 * i);
+}
+
 static void store_floats(const float *rgba, size_t pixels, int channels, float *out)
 {
-    for (size_t i = 0; i < pixels; i++, rgba += 4, out += channels) {
-        for (int c = 0; c < 3; c++)
-            out[c] = rgba[c] == rgba[c] ? rgba[c] : 0.0f;
-        if (channels == 4)
-            out[3] = part_of(rgba[3]);
+    if (channels == 3) {
+        store_colours(rgba, pixels, out);
+        return;
+    }
+    for (size_t i = 0; i < pixels; i++, rgba += 4, out += 4) {
+        store_lights(rgba, 3, out);
+        out[3] = part_of(rgba[3]);
     }
 }
 

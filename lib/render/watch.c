@@ -97,7 +97,9 @@ static void put_row(const pov_job *job, pov_pixels format, float *row, int offse
             memcpy(to + 4 * i, bytes + 4 * ((offset + i) / step - offset / step), 4);
     } else {
         encoding_linear(&job->encoding, row, count);
-        for (int i = 0; i < width; i++)
+        if (step == 1)
+            memcpy(to, row, 16 * (size_t)width);
+        for (int i = 0; step > 1 && i < width; i++)
             memcpy(to + 16 * i, row + 4 * ((offset + i) / step - offset / step), 16);
     }
 }

@@ -120,6 +120,22 @@ static void take_samples(worker *w, packet *c, const settings *s)
     raygen_place(&p, s->width, s->height, c->count, &c->through);
 }
 
+enum { BLOCK_EDGE = 8 };     /* squared, no more than BATCH_MAX */
+
+/* All pixels of a row of a block. */
+static inline void take_whole_row(packet *c, const double *u, double v, float *row)
+{
+    const uint32_t n = c->count;
+
+    for (int i = 0; i < BLOCK_EDGE; i++)
+        c->through.u[n + i] = u[i];
+    for (int i = 0; i < BLOCK_EDGE; i++)
+        c->through.v[n + i] = v;
+    for (int i = 0; i < BLOCK_EDGE; i++)
+        c->out[n + i] = row + 4 * i;
+    c->count = n + BLOCK_EDGE;
+}
+
 /* The lattice's pixels of one row of the tile, from `left` on. */
 static void take_row(packet *c, const middles *m, lattice l, int apart, int left, int right, int y, float *row)
 {
@@ -130,6 +146,10 @@ static void take_row(packet *c, const middles *m, lattice l, int apart, int left
     const double v = m->v[y];
     uint32_t n = c->count;
 
+    if (step == 1 && right - left == BLOCK_EDGE) {
+        take_whole_row(c, m->u + left, v, row + 4 * left);
+        return;
+    }
     for (int x = between ? left + l.step : left; x < right; x += step, n++) {
         c->through.u[n] = m->u[x];
         c->through.v[n] = v;
@@ -180,7 +200,6 @@ void worker_set_pixel(worker *w, const settings *s)
 
 bool worker_trace(worker *w, const settings *s)
 {
-    enum { BLOCK_EDGE = 8 };     /* squared, no more than BATCH_MAX */
     const claim *c = &w->claim;
     /* What is alike in the pixels of a set is seen less where those of two alternate. */
     const int colours = w->job->scene->plan->radiosity && c->lattice.step == 1 ? 2 : 1;
