@@ -236,7 +236,7 @@ void area_reflect(lighting *l, const scene_light *from, light_sample *s, const l
         s->red[i] = s->green[i] = s->blue[i] = 0.0f;
     for (uint32_t k = 0; k < from->grid->count; k++) {
         find_incident(from, k, &at, middle, &in);
-        brdf_cosines(&one, &l->on->geometry, &in.dir, n);
+        brdf_cosines(&one, &l->on->geometry, &in.dir, brdf_shines(&l->finishes), n);
         brdf_reflect(&l->finishes, l->context->scene->model, &one, &in, highlights, n);
         for (uint32_t i = 0; i < n; i++) {
             s->red[i] += one.front[i] ? share * one.red[i] : 0.0f;

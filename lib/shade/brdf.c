@@ -5,19 +5,20 @@
 #include "shade/highlight.h"
 #include "shade/stack.h"
 
-static inline void set_lane(light_sample *s, const geometry *g, const vec_lanes *normal, uint32_t i, pov_vec3 unit)
+static inline void set_lane(light_sample *s, const geometry *g, const vec_lanes *normal, bool shines, uint32_t i, pov_vec3 unit)
 {
     lanes_put(&s->unit, i, unit);
     s->cosine[i] = pov_dot(lanes_at(normal, i), unit);
-    s->specular_cos[i] = pov_dot(lanes_at(&g->reflected, i), unit);
+    if (shines)
+        s->specular_cos[i] = pov_dot(lanes_at(&g->reflected, i), unit);
 }
 
 /* Properties of the directions: some squared length is out of range; some cosine is too small for
  * world_origin_reflect(). */
 enum { ODD_DIR = 1, GRAZING = 2 };
 
-SIMD_CLONES static int find_plain(light_sample *restrict s, const geometry *restrict g, const vec_lanes *restrict normal,
-                                  const vec_lanes *restrict dir, uint32_t n)
+static inline int find_cosines(light_sample *restrict s, const geometry *restrict g, const vec_lanes *restrict normal,
+                               const vec_lanes *restrict dir, bool shines, uint32_t n)
 {
     int64_t plain = -1, steep = -1;
 
@@ -25,19 +26,31 @@ SIMD_CLONES static int find_plain(light_sample *restrict s, const geometry *rest
         pov_vec3 unit;
 
         plain &= geometry_unit(dir->x[i], dir->y[i], dir->z[i], &unit);
-        set_lane(s, g, normal, i, unit);
+        set_lane(s, g, normal, shines, i, unit);
         steep &= fabs(s->cosine[i]) > WORLD_GRAZING ? -1 : 0;
     }
     return (plain ? 0 : ODD_DIR) | (steep ? 0 : GRAZING);
 }
 
-bool brdf_cosines(light_sample *s, const geometry *g, const vec_lanes *dir, uint32_t n)
+SIMD_CLONES static int find_plain(light_sample *restrict s, const geometry *restrict g, const vec_lanes *restrict normal,
+                                  const vec_lanes *restrict dir, uint32_t n)
 {
-    const int found = find_plain(s, g, g->shading, dir, n);
+    return find_cosines(s, g, normal, dir, true, n);
+}
+
+SIMD_CLONES static int find_matt(light_sample *restrict s, const geometry *restrict g, const vec_lanes *restrict normal,
+                                 const vec_lanes *restrict dir, uint32_t n)
+{
+    return find_cosines(s, g, normal, dir, false, n);
+}
+
+bool brdf_cosines(light_sample *s, const geometry *g, const vec_lanes *dir, bool shines, uint32_t n)
+{
+    const int found = shines ? find_plain(s, g, g->shading, dir, n) : find_matt(s, g, g->shading, dir, n);
 
     if (found & ODD_DIR)
         for (uint32_t i = 0; i < n; i++)
-            set_lane(s, g, g->shading, i, pov_unit(lanes_at(dir, i)));
+            set_lane(s, g, g->shading, true, i, pov_unit(lanes_at(dir, i)));
     return found != 0;
 }
 
@@ -52,12 +65,14 @@ static colour brdf(const model *m, const appearance *of, double cosine, double s
 
 static inline float lesser(float a, float b) { return a < b ? a : b; }
 
+/* Of highlights: none has any, all are of one power, or powers vary. */
+enum { HIGHLIGHTS_NONE, HIGHLIGHTS_ALIKE, HIGHLIGHTS_VARYING };
+
 /* Reflected light of all lanes, bit for bit as above where there is a highlight. A highlight that is lost in the sum is
  * left out: all components of the sum are then at least APPEARANCE_VISIBLE. It is not computed either, because denormal
- * floats take a processor a hundred times as long. alike: highlights are all of f->alike. False: some lanes are left to the
- * general function. */
+ * floats take a processor a hundred times as long. False: some lanes are left to the general function. */
 static inline bool brdf_lanes(light_sample *restrict s, const finishes *restrict f, const light_lanes *restrict in,
-                              uint32_t n, bool uniform, bool alike)
+                              uint32_t n, bool uniform, int highlights)
 {
     const colour color = in->color;
     const int64_t power = f->alike;
@@ -68,8 +83,8 @@ static inline bool brdf_lanes(light_sample *restrict s, const finishes *restrict
         const float slice = f->diffuse_weight[i] * (float)cosine;
         const float red = f->red[i] * slice, green = f->green[i] * slice, blue = f->blue[i] * slice;
         const float least = lesser(fabsf(red), lesser(fabsf(green), fabsf(blue)));
-        const bool shines = (cosine > 0.0) & (specular_cos > 0.0) & !((specular_cos <= f->highlight_cutoff[i]) & (least >= APPEARANCE_VISIBLE));
-        const double product = highlight_product(shines ? specular_cos : 0.0, alike ? power : f->power[i], alike);
+        const bool shines = highlights && (cosine > 0.0) & (specular_cos > 0.0) & !((specular_cos <= f->highlight_cutoff[i]) & (least >= APPEARANCE_VISIBLE));
+        const double product = highlight_product(shines ? specular_cos : 0.0, highlights == HIGHLIGHTS_ALIKE ? power : f->power[i], highlights == HIGHLIGHTS_ALIKE);
         const float lo = f->phong[i] * highlight_lo(product), hi = f->phong[i] * highlight_hi(product);
         const float strength = shines ? lo : 0.0f;
 
@@ -84,26 +99,40 @@ static inline bool brdf_lanes(light_sample *restrict s, const finishes *restrict
     return !odd;
 }
 
+SIMD_CLONES static bool brdf_matt(light_sample *restrict s, const finishes *restrict f, const light_lanes *restrict in,
+                                  uint32_t n)
+{
+    return brdf_lanes(s, f, in, n, true, HIGHLIGHTS_NONE);
+}
+
+SIMD_CLONES static bool brdf_matt_varying(light_sample *restrict s, const finishes *restrict f, const light_lanes *restrict in,
+                                          uint32_t n)
+{
+    return brdf_lanes(s, f, in, n, false, HIGHLIGHTS_NONE);
+}
+
 SIMD_CLONES static bool brdf_alike(light_sample *restrict s, const finishes *restrict f, const light_lanes *restrict in,
                                    uint32_t n)
 {
-    return brdf_lanes(s, f, in, n, true, true);
+    return brdf_lanes(s, f, in, n, true, HIGHLIGHTS_ALIKE);
 }
 
 SIMD_CLONES static bool brdf_uniform(light_sample *restrict s, const finishes *restrict f, const light_lanes *restrict in,
                                      uint32_t n)
 {
-    return brdf_lanes(s, f, in, n, true, false);
+    return brdf_lanes(s, f, in, n, true, HIGHLIGHTS_VARYING);
 }
 
 SIMD_CLONES static bool brdf_varying(light_sample *restrict s, const finishes *restrict f, const light_lanes *restrict in,
                                      uint32_t n)
 {
-    return brdf_lanes(s, f, in, n, false, false);
+    return brdf_lanes(s, f, in, n, false, HIGHLIGHTS_VARYING);
 }
 
 static bool brdf_plain(light_sample *s, const finishes *f, const light_lanes *in, uint32_t n)
 {
+    if (!f->has_phong)
+        return in->uniform ? brdf_matt(s, f, in, n) : brdf_matt_varying(s, f, in, n);
     if (!in->uniform)
         return brdf_varying(s, f, in, n);
     return f->alike > 0 ? brdf_alike(s, f, in, n) : brdf_uniform(s, f, in, n);

@@ -48,8 +48,10 @@ typedef struct light_sample {
 
 /* Can light from behind count? */
 static inline bool brdf_has_back(const finishes *f) { return (f->kinds & FINISH_BACK) != 0; }
-/* Set the cosines of n lanes. True: there may be one too small for world_origin_reflect(). */
-bool brdf_cosines(light_sample *s, const geometry *g, const vec_lanes *dir, uint32_t n);
+/* Are there highlights? */
+static inline bool brdf_shines(const finishes *f) { return f->has_phong || f->kinds; }
+/* Set the cosines of n lanes, of highlights where there are any (shines). True: there may be one too small for world_origin_reflect(). */
+bool brdf_cosines(light_sample *s, const geometry *g, const vec_lanes *dir, bool shines, uint32_t n);
 /* Reflect the incident light; without highlights if `glossy` is false. */
 void brdf_reflect(const finishes *f, const model *m, light_sample *s, const light_lanes *in, bool glossy, uint32_t n);
 /* The same where some finish has more than diffuse light and phong. */

@@ -145,7 +145,7 @@ static bool arrive(lighting *l, const scene_light *from, light_sample *s, light_
     bool grazing;
 
     from->class->incident(from->light, &origin, &at, in);
-    grazing = brdf_cosines(s, g, &in->dir, lanes_whole(at.n));
+    grazing = brdf_cosines(s, g, &in->dir, brdf_shines(&l->finishes), lanes_whole(at.n));
     l->sides = sided || grazing;
     if (l->sides)
         begin_rays(l);
@@ -275,7 +275,7 @@ static void offer_light(lighting *l, uint32_t number, lottery *to)
     light_lanes in;
 
     from->class->incident(from->light, &origin, &at, &in);
-    brdf_cosines(&s, &l->on->geometry, &in.dir, n);
+    brdf_cosines(&s, &l->on->geometry, &in.dir, brdf_shines(&l->finishes), n);
     brdf_reflect(&l->finishes, scene->model, &s, &in, false, n);
     for (uint32_t k = 0; k < l->finishes.count; k++) {
         const uint32_t lane = l->finishes.lit[k];
@@ -424,6 +424,7 @@ static void begin_stacks(lighting *l, shade_context *c, surfaces *on, lit_stacks
     l->begun = 0;
     l->named = false;
     l->finishes.kinds = l->finishes.count = 0;
+    l->finishes.has_phong = false;
     out->levels = 1;
     for (uint32_t i = 0; i < (on->alike ? 1 : on->count); i++) {
         const appearance *a = on->at[i].appearance;
@@ -437,6 +438,7 @@ static void begin_stacks(lighting *l, shade_context *c, surfaces *on, lit_stacks
 
         brdf_begin(f, c->scene->model, on, k);
         l->finishes.kinds |= f->kinds;
+        l->finishes.has_phong |= f->has_phong;
         lit |= lit_of(f);
         memset(&out->lit[k], 0, sizeof out->lit[k]);
     }

@@ -80,7 +80,7 @@ static const double least_cosine = 0x1p-10;
 /* Light the surface by the lanes that are filled. What photons bring is light upon the surface, with the cosine in it. */
 static void light_lanes_once(photon_lanes *l, const model *m)
 {
-    brdf_cosines(&l->sample, &l->on.geometry, &l->in.dir, BATCH_MAX);
+    brdf_cosines(&l->sample, &l->on.geometry, &l->in.dir, true, BATCH_MAX);
     for (uint32_t i = 0; i < BATCH_MAX; i++) {
         const double cosine = fabs(l->sample.cosine[i]);
         const float by = i < l->count && cosine > least_cosine ? (float)(1.0 / cosine) : 0.0f;

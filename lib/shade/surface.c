@@ -219,14 +219,37 @@ static bool are_alike(const surfaces *s)
     return !others;
 }
 
+/* Place the surfaces of the first rays, as long as each hits one that is lit and lies alone: most do. Returns how many do; alike:
+ * all are. */
+static uint32_t place_first(const names *by_name, surfaces *s, batch *b, uint64_t found, bool *alike)
+{
+    const uint32_t end = ~found ? first_of64(~found) : BATCH_MAX;
+    uint32_t n, last = POV_NO_OWNER;
+    const appearance *a = NULL;
+
+    for (n = 0; n < end; n++) {
+        hit *h = &s->hits[n];
+
+        if (h->object != last) {
+            a = names_appearance(by_name, h->object);
+            last = h->object;
+            *alike &= n == 0 || a == s->at[0].appearance;
+        }
+        if (!a->lit || h->coincident)
+            break;
+        place(s, &s->at[n], b, n, n);
+        s->at[n].appearance = a;
+    }
+    return n;
+}
+
 void surfaces_find(shade_context *c, surfaces *s, batch *b, colour *out)
 {
     const bool special = is_special(c, b), dims = c->scene->dims && !c->photons_fly;
     const names by_name = names_of(c->scene);
-    surface *at = s->at;
     uint64_t found, missed, rest;
     uint32_t n = 0;
-    bool others = false;
+    bool alike = true;
 
     if (c->coincident_sets.count > 0 && any_coincident(b)) {
         s->count = find_each(c, s, b, dims, out);
@@ -239,10 +262,12 @@ void surfaces_find(shade_context *c, surfaces *s, batch *b, colour *out)
         cross_air_all(c, s, b, found, missed, out);
     else
         add_background(c, b, missed, out);
-    for (rest = found; rest; rest &= rest - 1) {
+    if (!special)
+        n = place_first(&by_name, s, b, found, &alike);
+    for (rest = n < BATCH_MAX ? found >> n << n : 0; rest; rest &= rest - 1) {
         const uint32_t i = first_of64(rest);
-
         const appearance *a = names_appearance(&by_name, s->hits[i].object);
+        surface *at = &s->at[n];
 
         place(s, at, b, i, n);
         at->appearance = a;
@@ -252,12 +277,11 @@ void surfaces_find(shade_context *c, surfaces *s, batch *b, colour *out)
                 continue;
             a = at->appearance;
         }
-        others |= a != s->at[0].appearance;
-        at++;
+        alike &= a == s->at[0].appearance;
         n++;
     }
     s->count = n;
-    s->alike = !others;
+    s->alike = alike;
 }
 
 /* ---- points and normals ---- */

@@ -177,11 +177,32 @@ static inline void add_layers(const surfaces *s, const colour_lanes *given, uint
     }
 }
 
-static void add_surfaces(surfaces *s, colour *out)
+SIMD_CLONES static bool are_finite(const float *x, uint32_t n)
+{
+    int out = 0;
+
+    for (uint32_t i = 0; i < n; i++)
+        out |= !(fabsf(x[i]) <= FLT_MAX);
+    return !out;
+}
+
+/* Surfaces of all rays of the camera, whose colours are zero so far, and whose paths carry white. False: some sum is not finite. */
+static bool put_surfaces(const colour_lanes *lit, uint32_t n, colour *out)
+{
+    if (!are_finite(lit->red, n) || !are_finite(lit->green, n) || !are_finite(lit->blue, n))
+        return false;
+    for (uint32_t i = 0; i < n; i++)
+        out[i] = colour_of(0.0f + lit->red[i], 0.0f + lit->green[i], 0.0f + lit->blue[i]);
+    return true;
+}
+
+/* firsts: they are the first to add to their rays' colours, all of one batch of the camera. */
+static void add_surfaces(surfaces *s, bool firsts, colour *out)
 {
     if (s->alike && s->count > 0) {
         weigh(&s->lit, s->at[0].appearance->emitted, colour_of(1.0f, 1.0f, 1.0f), lanes_whole(s->count));
-        add_layers(s, &s->lit, 1, out);
+        if (!firsts || !put_surfaces(&s->lit, s->count, out))
+            add_layers(s, &s->lit, 1, out);
         return;
     }
     for (uint32_t i = 0; i < s->count; i++)
@@ -189,14 +210,14 @@ static void add_surfaces(surfaces *s, colour *out)
 }
 
 /* What surfaces of one term each give. */
-static void shade_surfaces(pov_tracer *t, colour *out)
+static void shade_surfaces(pov_tracer *t, const batch *b, colour *out)
 {
     shade_context *c = &t->context;
     surfaces *s = &t->surfaces;
 
     t->lighting.own = t->queue.mirrored.items[0]->own;
     light_gather(&t->lighting, c, s);
-    add_surfaces(s, out);
+    add_surfaces(s, t->camera_white && b == &t->camera && s->count == b->count, out);
     scatter(c, s, &t->queue);
     if (c->scene->plan->radiosity)
         gather_begin(c, s, &t->queue);
@@ -254,7 +275,7 @@ static void shade_found(pov_tracer *t, batch *b, colour *out)
     if (b->reuse)
         reuse_note(&t->context, &t->surfaces, b->reuse);
     if (kind == PAINT_SINGLE)
-        shade_surfaces(t, out);
+        shade_surfaces(t, b, out);
     else if (kind == PAINT_STACKS)
         shade_stacks(t, out);
     else
@@ -376,6 +397,7 @@ static uint64_t begin(pov_tracer *t, const pov_ray *rays, uint32_t n, unsigned k
         t->lanes_filled = 0;
     }
     t->camera_odd = !(known & TRACER_SOUND || are_rays(rays, n));
+    t->camera_white = !t->camera_odd && !c->scene->dims;
     if (c->scene->dims)
         clear_factors(b, n);
     b->count = n;
@@ -397,6 +419,7 @@ void tracer_begin(pov_tracer *t, const pov_ray *rays, uint32_t n, const colour *
     begin(t, rays, n, TRACER_SOUND);
     for (uint32_t i = 0; i < n; i++)
         t->camera.paths[i].factor.by = carried[i];
+    t->camera_white = false;
     t->camera_odd = true;        /* the paths of camera rays carry white */
 }
 
@@ -457,15 +480,6 @@ static bool take_maps(pov_tracer *t, const pov_ray *rays, uint32_t n)
     c->photons = w->maps;
     c->views = w->views;
     return true;
-}
-
-SIMD_CLONES static bool are_finite(const float *x, uint32_t n)
-{
-    int out = 0;
-
-    for (uint32_t i = 0; i < n; i++)
-        out |= !(fabsf(x[i]) <= FLT_MAX);
-    return !out;
 }
 
 /* Count the rays of a batch, which are of different camera rays. False: one has more than it may have. */

@@ -16,6 +16,7 @@ struct pov_tracer {
     dielectric_start start;      /* the dielectrics around the camera */
     batch camera;                /* paths of camera rays; their constant members were set once */
     bool camera_odd, camera_inside;   /* its paths are not those of all lanes in order; some are in dielectrics */
+    bool camera_white;           /* its paths are those of all lanes, and carry white */
     filled_start filled;
     uint32_t lanes_filled;       /* ... and around the starts of all its paths; UINT32_MAX: they differ */
     sample_id own_samples[BATCH_MAX];   /* of rays that nobody numbered */
