@@ -79,28 +79,29 @@ uint64_t bvh_take(bvh_traversal *t, const pov_ray *taken[BVH_LANES], uint8_t of[
     return set_out(t, taken, n, limit, end);
 }
 
-/* Lanes past the end hold the last ray again. */
-static void put_axis(double *restrict to, const double *restrict from, uint32_t n)
-{
-    memcpy(to, from, n * sizeof *to);
-    for (uint32_t i = n; i < width(n); i++)
-        to[i] = from[n - 1];
-}
+/* Copied as a whole, whatever lanes past the end hold. */
+enum { LANES_AGREE = 1 / (sizeof(vec_lanes) == sizeof(double[3][BVH_LANES]) && BVH_LANES == POV_RAYS_MAX) };
 
-static void put_vectors(double to[3][BVH_LANES], const vec_lanes *from, uint32_t n)
+/* Lanes past the end hold the last ray again. */
+static void repeat_last(pov_rays *to, uint32_t n)
 {
-    put_axis(to[0], from->x, n);
-    put_axis(to[1], from->y, n);
-    put_axis(to[2], from->z, n);
+    for (uint32_t i = n; i < width(n); i++) {
+        for (int k = 0; k < 3; k++) {
+            to->org[k][i] = to->org[k][n - 1];
+            to->org_lo[k][i] = to->org_lo[k][n - 1];
+            to->dir[k][i] = to->dir[k][n - 1];
+        }
+        to->excluded[i] = to->excluded[n - 1];
+    }
 }
 
 uint64_t bvh_take_lanes(bvh_traversal *t, const bvh_ray_lanes *rays, uint32_t n, double limit, double end)
 {
-    put_vectors(t->soa.org, rays->org, n);
-    put_vectors(t->soa.org_lo, rays->org_lo, n);
-    put_vectors(t->soa.dir, rays->dir, n);
-    for (uint32_t i = 0; i < width(n); i++)
-        t->soa.excluded[i] = rays->excluded[i < n ? i : n - 1];
+    memcpy(t->soa.org, rays->org, sizeof t->soa.org);
+    memcpy(t->soa.org_lo, rays->org_lo, sizeof t->soa.org_lo);
+    memcpy(t->soa.dir, rays->dir, sizeof t->soa.dir);
+    memcpy(t->soa.excluded, rays->excluded, n * sizeof *rays->excluded);
+    repeat_last(&t->soa, n);
     return set_out(t, NULL, n, limit, end);
 }
 

@@ -351,12 +351,16 @@ static void find_surfaces(const world *w, const object_space_rays *from, const p
     }
 }
 
-/* Hits whose points and normals are known already, as bits. */
+/* Hits whose points and normals are known already, as bits. Hits are in the order of their rays: mostly there is one of each. */
 static uint64_t find_complete(const object_space_rays *from, hit *const *hits, uint32_t n)
 {
     uint64_t complete = 0;
 
-    for (uint32_t i = 0; from && from->complete && i < n; i++)
+    if (!from || n == 0)
+        return 0;
+    if (hits[n - 1] - hits[0] == n - 1)
+        return from->complete >> (hits[0] - from->first) & ~(uint64_t)0 >> (WORLD_MANY - n);
+    for (uint32_t i = 0; from->complete && i < n; i++)
         complete |= (from->complete >> (hits[i] - from->first) & 1) << i;
     return complete;
 }
@@ -385,10 +389,11 @@ static void put_contacts(const pov_ray *const *rays, hit *const *hits, uint32_t 
     double more[LANES], other[LANES];
 
     for (uint32_t first = 0; first < n; first += LANES) {
+        const bool whole = first + LANES <= n;
         const void *r[LANES], *h[LANES];
 
         for (uint32_t i = 0; i < LANES; i++) {
-            const uint32_t j = first + i < n ? first + i : n - 1;
+            const uint32_t j = whole || first + i < n ? first + i : n - 1;
 
             r[i] = rays[j];
             h[i] = hits[j];
@@ -418,13 +423,16 @@ void world_surface_many(const world *w, const object_space_rays *from, const pov
 {
     const uint64_t complete = find_complete(from, hits, n);
     int64_t against[WORLD_MANY];
+    uint32_t object = POV_NO_OWNER;
+    bool inverse = false;
 
     if (!complete) {
         if (n > 0)
             find_surfaces(w, from, rays, hits, n, out);
         return;
     }
-    find_others(w, from, rays, hits, n, complete);
+    if (complete != ~(uint64_t)0 >> (WORLD_MANY - n))
+        find_others(w, from, rays, hits, n, complete);
     put_contacts(rays, hits, n, out);
     face_normals(out, lanes_whole(n), against);
     for (uint32_t i = 0; i < n; i++) {
@@ -432,7 +440,13 @@ void world_surface_many(const world *w, const object_space_rays *from, const pov
 
         if (!(complete >> i & 1)) {
             put_normal(out, i, h);
-        } else if (w->objects_info[h->object].inverse) {
+            continue;
+        }
+        if (h->object != object) {
+            object = h->object;
+            inverse = w->objects_info[object].inverse;
+        }
+        if (inverse) {
             set_entering(&w->objects_info[h->object], rays[i], h);
             put_normal(out, i, h);
         } else {
