@@ -5,6 +5,8 @@
 #include "shade/haze.h"
 #include "texture/texture.h"
 
+#include <string.h>
+
 /* A segment of a path: length HUGE_VAL where nothing is hit. */
 typedef struct segment { pov_vec3 from, dir; double length; } segment;
 /* What is behind becomes by x behind + given. */
@@ -362,8 +364,7 @@ static void add_old_sky(const model *m, const texture_points *points, const uint
     old_sky sky[BATCH_MAX];
     pigment p[BATCH_MAX];
 
-    for (uint32_t i = 0; i < n; i++)
-        sky[i].sum = colour_of(0.0f, 0.0f, 0.0f);
+    memset(sky, 0, n * sizeof *sky);
     for (uint32_t k = m->sky->count; k-- > 0 && n > 0; ) {
         pigment_eval(m, m->sky->layers[k], points, n, p);
         for (uint32_t i = 0; i < n; i++)
@@ -379,11 +380,47 @@ static void add_old_sky(const model *m, const texture_points *points, const uint
 }
 
 /* The sky's pigments, one over the other. */
+static void put_sky(const model *m, const texture_points *points, const uint32_t *lanes, uint32_t n, backdrop *seen)
+{
+    pigment p[BATCH_MAX];
+
+    if (m->sky_is_old) {
+        add_old_sky(m, points, lanes, n, seen);
+        return;
+    }
+    for (uint32_t k = 0; k < m->sky->count && n > 0; k++) {
+        pigment_eval(m, m->sky->layers[k], points, n, p);
+        for (uint32_t i = 0; i < n; i++)
+            put_before(&seen[lanes[i]], &p[i], colour_mul(p[i].color, m->sky->emission), filter_of(&p[i]));
+    }
+}
+
+bool air_is_plain(const model *m)
+{
+    for (uint32_t k = 0; m->sky && k < m->sky->count; k++)
+        if (m->sky->layers[k]->pattern || m->sky->layers[k]->pigments)
+            return false;
+    return true;
+}
+
+colour air_plain_colour(const model *m)
+{
+    const uint32_t lane = 0;
+    backdrop seen = { m->background, { 0.0f, 0.0f, 0.0f } };
+    texture_points none;
+
+    none.has_surface = false;
+    none.parts = NULL;
+    texture_point(&none, lane, pov_vec3_of(0.0, 0.0, 1.0), pov_vec3_of(0.0, 0.0, 0.0));
+    if (m->sky)
+        put_sky(m, &none, &lane, 1, &seen);
+    return seen.seen;
+}
+
 static void add_sky(const shade_context *c, const batch *b, uint64_t rays, backdrop *seen)
 {
     const model *m = c->scene->model;
     uint32_t lanes[BATCH_MAX], n = 0;
-    pigment p[BATCH_MAX];
     texture_points points;
 
     points.has_surface = false;
@@ -397,15 +434,7 @@ static void add_sky(const shade_context *c, const batch *b, uint64_t rays, backd
         texture_point(&points, n, pov_unit(b->rays[i]->dir), pov_vec3_of(0.0, 0.0, 0.0));
         n++;
     }
-    if (m->sky_is_old) {
-        add_old_sky(m, &points, lanes, n, seen);
-        return;
-    }
-    for (uint32_t k = 0; k < m->sky->count && n > 0; k++) {
-        pigment_eval(m, m->sky->layers[k], &points, n, p);
-        for (uint32_t i = 0; i < n; i++)
-            put_before(&seen[lanes[i]], &p[i], colour_mul(p[i].color, m->sky->emission), filter_of(&p[i]));
-    }
+    put_sky(m, &points, lanes, n, seen);
 }
 
 void air_background(shade_context *c, batch *b, uint64_t rays, const air_segments *on, colour *out)

@@ -17,8 +17,10 @@ typedef struct air_segments {
     fog_veils fogs;
 } air_segments;
 
-/* Is there more than a background? */
-static inline bool air_is_there(const model *m) { return m->sky || m->fogs.count > 0 || m->rainbows.count > 0; }
+/* Do rays that hit nothing see one colour wherever they go, but for what dims them on their way, and but for pictures with alpha? */
+bool air_is_plain(const model *m);
+/* That colour. */
+colour air_plain_colour(const model *m);
 static inline bool air_dims(const model *m) { return m->fogs.count > 0 || m->rainbows.count > 0; }
 
 /* Add what the rays see that hit nothing; bit i: ray i. In pictures with alpha, the rays that were not reflected see

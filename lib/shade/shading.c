@@ -229,8 +229,9 @@ pov_status shading_create(shading **out, const model *m, const world *w, pov_err
     s->model = m;
     s->world = w;
     s->plan = world_plan(w);
-    s->air = air_is_there(m) || s->plan->media;
     s->dims = air_dims(m) || s->plan->media;
+    s->air = s->dims || !air_is_plain(m);
+    s->behind = air_is_plain(m) ? air_plain_colour(m) : m->background;
     s->scale = find_scale(m, w);
     s->objects_info = world_object_info(w);
     s->own_names = world_own_names(w);

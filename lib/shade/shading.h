@@ -32,7 +32,8 @@ typedef struct shading {
     scene_light *lights;
     size_t light_count;
     struct photon_scene *photons;   /* NULL: there are none */
-    bool air, dims;              /* rays that hit nothing see more than a background; rays change on their way */
+    bool air, dims;              /* rays that hit nothing see more than one colour; rays change on their way */
+    colour behind;               /* if not: that colour */
     double scale;                /* how far away the scene's objects are */
 } shading;
 

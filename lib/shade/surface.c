@@ -175,7 +175,7 @@ static uint32_t find_each(shade_context *c, surfaces *s, batch *b, bool dims, co
  * colours. */
 static void add_background(shade_context *c, batch *b, uint64_t rays, colour *out)
 {
-    const colour background = c->scene->model->background;
+    const colour background = c->scene->behind;
     colour seen = colour_of(0.0f, 0.0f, 0.0f);
 
     if (c->photons_fly)

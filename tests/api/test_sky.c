@@ -75,6 +75,39 @@ static void the_last_sky_counts_and_emission_scales_its_own_light(void **state)
                 0.25 + 0.1, 0.5 + 0.2, 0.4);
 }
 
+/* Of a sphere that mirrors, before a sky. */
+static float *draw_before(const char *sky)
+{
+    pov_render_desc desc = POV_INIT(desc);
+    pov_context *context = scenes_context();
+    pov_scene *scene;
+    char text[512];
+    float *picture;
+
+    snprintf(text, sizeof text, "#version 3.7; global_settings { assumed_gamma 1 } camera { location -4*z look_at 0 } %s "
+             "sphere { 0, 1 pigment { rgb .3 } finish { reflection <.7, .4, .9> } }", sky);
+    scene = scenes_text(context, text);
+    desc.width = 24;
+    desc.height = 18;
+    picture = scenes_render(scene, &desc);
+    pov_scene_destroy(scene);
+    pov_context_destroy(context);
+    return picture;
+}
+
+/* A sky of one colour is known without its directions. */
+static void a_sky_without_a_pattern_is_what_one_of_equal_colours_is(void **state)
+{
+    float *plain = draw_before("sky_sphere { pigment { rgb <.75, .5, .125> } }");
+    float *varying = draw_before("sky_sphere { pigment { checker rgb <.75, .5, .125>, rgb <.75, .5, .125> } }");
+
+    (void)state;
+    assert_memory_equal(plain, varying, 24 * 18 * 4 * sizeof *plain);
+    assert_true(plain[0] == 0.75f && plain[1] == 0.5f && plain[2] == 0.125f);
+    free(plain);
+    free(varying);
+}
+
 /* Solids without fog in them are those that the ray meets, and those that it starts in, as in POV-Ray. */
 static void a_solid_that_is_not_seen_holds_no_fog_up(void **state)
 {
@@ -187,6 +220,7 @@ int main(void)
         cmocka_unit_test(upper_layers_filter_by_version),
         cmocka_unit_test(what_old_layers_filter_and_transmit_is_counted_apart),
         cmocka_unit_test(a_background_lets_nothing_through_before_version_3_7),
+        cmocka_unit_test(a_sky_without_a_pattern_is_what_one_of_equal_colours_is),
         cmocka_unit_test(a_solid_that_is_not_seen_holds_no_fog_up),
         cmocka_unit_test(maps_of_bows_blend_all_components),
         cmocka_unit_test(a_bow_ends_with_its_arc),
