@@ -19,7 +19,7 @@ bool cells_make(cells *c, const env *e, const settings *s)
     c->columns = (width - 1) / CELL_EDGE + 1;
     c->rows = (height - 1) / CELL_EDGE + 1;
     c->count = (size_t)c->columns * (size_t)c->rows;
-    c->groups = env_alloc(e, c->count, GROUPS * sizeof *c->groups);
+    c->groups = env_resize(e, NULL, c->count, GROUPS * sizeof *c->groups);
     c->sums = s->alpha ? OPAQUE_SUMS + 1 : OPAQUE_SUMS;
     if (s->sampling || referring)
         c->shown = env_alloc(e, c->count, GROUPS * sizeof *c->shown);

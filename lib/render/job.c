@@ -57,7 +57,7 @@ static pov_status make_parts(pov_job *job, int parts, pov_error *err)
     job->cells.reference_clipped = s->reference_clipped;
     if (s->time_map && !cells_count_time(&job->cells, job->env))
         return err_memory(err);
-    job->scratch = env_alloc(job->env, job->cells.count, 2 * GROUPS * sizeof *job->scratch);
+    job->scratch = env_resize(job->env, NULL, job->cells.count, 2 * GROUPS * sizeof *job->scratch);
     job->queue = env_alloc(job->env, job->tiles.count, sizeof *job->queue);
     job->dirty = env_alloc(job->env, job->tiles.count, sizeof *job->dirty);
     if ((size_t)s->threads > job->tiles.count)
