@@ -46,7 +46,7 @@ COMMON_INLINE common_root common_polygon_distance(pov_vec3 n, const common_ray *
     return root;
 }
 
-/* Small polygons in lanes, others by `one`. */
+/* Small polygons in lanes, and larger ones, several rays of each; what is undecided by `one`. */
 void common_polygon_intersect_many(const void *const *selves, const pov_ray *const *rays, pov_hits *const *hits,
                                    uint32_t n, void (*one)(const void *self, const pov_ray *ray, pov_hits *hits));
 /* Any polygons, for definite hits. */

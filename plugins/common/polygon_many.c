@@ -144,49 +144,130 @@ COMMON_INLINE bool report_plane(const plane_lanes *p, uint32_t i, const pov_ray 
     return true;
 }
 
-static void intersect_lanes(const void *const *selves, const pov_ray *const *rays, pov_hits *const *hits, uint32_t n,
-                            void (*one)(const void *self, const pov_ray *ray, pov_hits *hits))
+/* ---- any number of corners ---- */
+
+/* What corners are seen from: the rays' points near the polygon, permuted as directions are, and the errors of coordinates. */
+typedef struct view_lanes { double w[3][TOGETHER], d[3][TOGETHER], error[TOGETHER]; } view_lanes;
+
+COMMON_CLONES static void find_views(const polygon_lanes *restrict l, plane_lanes *restrict out, view_lanes *restrict v)
 {
+    for (uint32_t i = 0; i < TOGETHER; i++) {
+        pov_vec3 w, d;
+        const common_ray k = find_plane(l, i, out, &w);
+
+        v->error[i] = common_view_blur(w);
+        w = rotate(w, l->forward[i]);
+        d = rotate(k.d, l->forward[i]);
+        v->w[0][i] = w.x, v->w[1][i] = w.y, v->w[2][i] = w.z;
+        v->d[0][i] = d.x, v->d[1][i] = d.y, v->d[2][i] = d.z;
+    }
+}
+
+/* By lane: the corner that was seen last, the edges that passed on the right, and whether all that is certain. */
+typedef struct loop_lanes { double across[TOGETHER], up[TOGETHER], above[TOGETHER], turns[TOGETHER], certain[TOGETHER]; } loop_lanes;
+
+/* As project() and pass(), of a corner in the view of all rays; edge: 1, or 0 where none leads to it. */
+COMMON_SEPARATE static void pass_corner(loop_lanes *restrict l, const view_lanes *restrict v, pov_vec3 corner, double edge)
+{
+    for (uint32_t i = 0; i < TOGETHER; i++) {
+        const double x = corner.x - v->w[0][i], y = corner.y - v->w[1][i], z = corner.z - v->w[2][i];
+        const double across = x * v->d[2][i] - z * v->d[0][i], up = y * v->d[2][i] - z * v->d[1][i];
+        const double above = up > 0.0 ? 1.0 : 0.0, step = (above - l->above[i]) * edge;
+        const double cross = l->across[i] * up - across * l->up[i], error = v->error[i];
+        const double doubt = error * (fabs(l->across[i]) + fabs(l->up[i]) + fabs(across) + fabs(up) + 2.0 * error) +
+                             4.0 * COMMON_U * (fabs(l->across[i] * up) + fabs(across * l->up[i]));
+        const double sure = fabs(cross) > doubt ? 1.0 : 0.0, seen = fabs(up) > error ? 1.0 : 0.0;
+
+        l->certain[i] *= seen * common_greater(sure, 1.0 - fabs(step));
+        l->turns[i] += step * cross > 0.0 ? 1.0 : 0.0;
+        l->across[i] = across;
+        l->up[i] = up;
+        l->above[i] = above;
+    }
+}
+
+/* As enclose(): each edge that passes on the right turns out into in. No edge leads to the first corner of a loop. */
+static void enclose_any(const common_corner *corners, uint32_t count, double forward, const view_lanes *views, double *within)
+{
+    loop_lanes l;
+
+    for (uint32_t i = 0; i < TOGETHER; i++) {
+        l.across[i] = l.up[i] = l.above[i] = l.turns[i] = 0.0;
+        l.certain[i] = 1.0;
+    }
+    for (uint32_t c = 0; c < count; c++)
+        pass_corner(&l, views, rotate(corners[c].local, forward), corners[c].starts ? 0.0 : 1.0);
+    for (uint32_t i = 0; i < TOGETHER; i++) {
+        const double half = 0.5 * l.turns[i];
+
+        within[i] = l.certain[i] > 0.0 ? (half > floor(half) ? 1.0 : -1.0) : 0.0;
+    }
+}
+
+/* ---- pairs ---- */
+
+/* Pairs that are asked together: small polygons, or one of any size and rays of one largest axis. */
+typedef struct polygon_pairs {
+    const void *selves[TOGETHER];
+    const pov_ray *rays[TOGETHER];
+    pov_hits *hits[TOGETHER];
+    uint32_t count;
+} polygon_pairs;
+
+static void find_together(const polygon_pairs *p, plane_lanes *plane)
+{
+    const common_polygon *first = p->selves[0];
     const void *shapes[TOGETHER];
     polygon_lanes lanes;
-    plane_lanes plane;
-    uint32_t i;
+    view_lanes views;
 
-    common_put_four_of(&lanes.rays, 0, rays, n);
-    for (i = 0; i < TOGETHER; i++) {
-        shapes[i] = selves[common_lane_of(i, n)];
-        lanes.forward[i] = common_forward(rays[common_lane_of(i, n)]->dir);
+    common_put_four_of(&lanes.rays, 0, p->rays, p->count);
+    for (uint32_t i = 0; i < TOGETHER; i++) {
+        shapes[i] = p->selves[common_lane_of(i, p->count)];
+        lanes.forward[i] = common_forward(p->rays[common_lane_of(i, p->count)]->dir);
     }
-    common_put_four_shapes(lanes.number[0], TOGETHER, NUMBERS, shapes);
-    find_planes(&lanes, &plane);
-    for (i = 0; i < n; i++)
-        if (!report_plane(&plane, i, rays[i], hits[i]))
-            one(selves[i], rays[i], hits[i]);
+    common_put_four_shapes(lanes.number[0], TOGETHER, first->small ? NUMBERS : PLANE_NUMBERS, shapes);
+    if (first->small) {
+        find_planes(&lanes, plane);
+        return;
+    }
+    find_views(&lanes, plane, &views);
+    enclose_any(first->corners, first->count, lanes.forward[0], &views, plane->within);
+}
+
+static void intersect_together(polygon_pairs *p, void (*one)(const void *self, const pov_ray *ray, pov_hits *hits))
+{
+    plane_lanes plane;
+
+    if (p->count > 1)
+        find_together(p, &plane);
+    for (uint32_t i = 0; i < p->count; i++)
+        if (p->count == 1 || !report_plane(&plane, i, p->rays[i], p->hits[i]))
+            one(p->selves[i], p->rays[i], p->hits[i]);
+    p->count = 0;
 }
 
 void common_polygon_intersect_many(const void *const *selves, const pov_ray *const *rays, pov_hits *const *hits,
                                    uint32_t n, void (*one)(const void *self, const pov_ray *ray, pov_hits *hits))
 {
-    const void *self[TOGETHER];
-    const pov_ray *ray[TOGETHER];
-    pov_hits *hit[TOGETHER];
-    uint32_t i, count = 0;
+    polygon_pairs small = { .count = 0 }, large = { .count = 0 };
 
-    for (i = 0; i < n; i++) {
-        if (((const common_polygon *)selves[i])->small) {
-            self[count] = selves[i];
-            ray[count] = rays[i];
-            hit[count++] = hits[i];
-        } else {
-            one(selves[i], rays[i], hits[i]);
-        }
-        if (count == TOGETHER || (count > 1 && i + 1 == n)) {
-            intersect_lanes(self, ray, hit, count, one);
-            count = 0;
-        }
+    for (uint32_t i = 0; i < n; i++) {
+        const common_polygon *s = selves[i];
+        polygon_pairs *to = s->small ? &small : &large;
+
+        if (s->count == 0)
+            continue;
+        if (to == &large && large.count > 0 && (large.selves[0] != s || common_forward(large.rays[0]->dir) != common_forward(rays[i]->dir)))
+            intersect_together(&large, one);
+        to->selves[to->count] = s;
+        to->rays[to->count] = rays[i];
+        to->hits[to->count++] = hits[i];
+        if (to->count == TOGETHER)
+            intersect_together(to, one);
     }
-    if (count)
-        one(self[0], ray[0], hit[0]);
+    intersect_together(&small, one);
+    intersect_together(&large, one);
 }
 
 /* Corners are not used, so polygons may have any number of them. */

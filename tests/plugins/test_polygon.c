@@ -77,6 +77,49 @@ static void test_the_middle_of_a_star_and_a_hole_are_open(void **state)
     fake_reader_destroy(in);
 }
 
+/* A ray from afar through a corner of the hole, or past one at its level. */
+static pov_ray past_corner(int i)
+{
+    const pov_vec3 dir = pov_vec3_of(0.31 + 0.013 * i, -0.17 - 0.007 * i, 1.0), to = pov_vec3_of(0.1 * (i % 8), i % 2 ? 0.3 : 0.6, 0.0);
+    pov_ray ray = { .origin_surface = POV_NO_OWNER };
+
+    ray.org = pov_sub(to, pov_scale(dir, 5.0));
+    ray.dir = dir;
+    return ray;
+}
+
+/* Doubles leave open which edges such rays pass. */
+static void test_rays_past_corners_are_alike_alone_and_together(void **state)
+{
+    enum { MANY = 64 };
+    pov_reader *in = fake_reader_create();
+    const void *self = parse(in, "10, <0, 0, 0>, <.9, 0, 0>, <.9, .9, 0>, <0, .9, 0>, <0, 0, 0>, "
+                                 "<.3, .3, 0>, <.6, .3, 0>, <.6, .6, 0>, <.3, .6, 0>, <.3, .3, 0>"), *selves[MANY];
+    pov_crossing crossings[2][MANY] = { { { 0 } } };
+    pov_hits hits[2][MANY] = { { { 0 } } }, *to[MANY];
+    const pov_ray *rays[MANY];
+    pov_ray ray[MANY];
+
+    (void)state;
+    assert_non_null(self);
+    for (int i = 0; i < MANY; i++) {
+        ray[i] = past_corner(i);
+        for (int k = 0; k < 2; k++) {
+            hits[k][i].tmax = HUGE_VAL;
+            hits[k][i].want = POV_WANT_NEAREST;
+            hits[k][i].at = &crossings[k][i];
+        }
+        selves[i] = self, rays[i] = &ray[i], to[i] = &hits[1][i];
+        polygon->intersect(self, &ray[i], &hits[0][i]);
+    }
+    polygon->intersect_many(selves, rays, to, MANY);
+    for (int i = 0; i < MANY; i++) {
+        assert_int_equal(hits[1][i].count, hits[0][i].count);
+        assert_true(crossings[1][i].t == crossings[0][i].t && crossings[1][i].t_lo == crossings[0][i].t_lo);
+    }
+    fake_reader_destroy(in);
+}
+
 /* The corners of a regular polygon in a tilted plane, far from the origin, each rounded once; one may be moved off. */
 static void *tilted(pov_reader *in, int corners, double size, double moved)
 {
@@ -155,6 +198,7 @@ int main(void)
         cmocka_unit_test(test_a_bow_tie_has_a_plane_though_its_area_is_zero),
         cmocka_unit_test(test_loops_that_cancel_are_seen),
         cmocka_unit_test(test_the_middle_of_a_star_and_a_hole_are_open),
+        cmocka_unit_test(test_rays_past_corners_are_alike_alone_and_together),
         cmocka_unit_test(test_rounding_explains_a_little),
         cmocka_unit_test(test_few_digits_are_flattened_and_more_is_an_error),
         cmocka_unit_test(test_a_flattened_polygon_is_where_its_corners_were),
