@@ -6,7 +6,7 @@
 
 static const double pi = 3.14159265358979323846;
 
-unsigned camera_aim_each(camera_ray *find, const pov_camera *camera, const raygen_screen *through, uint32_t n, pov_ray *rays)
+camera_basis camera_basis_of(const pov_camera *camera)
 {
     camera_basis b = { .camera = camera };
 
@@ -16,6 +16,13 @@ unsigned camera_aim_each(camera_ray *find, const pov_camera *camera, const rayge
     b.width = camera_length(camera->right);
     b.height = camera_length(camera->up);
     b.depth = camera_length(camera->direction);
+    return b;
+}
+
+unsigned camera_aim_each(camera_ray *find, const pov_camera *camera, const raygen_screen *through, uint32_t n, pov_ray *rays)
+{
+    const camera_basis b = camera_basis_of(camera);
+
     for (uint32_t i = 0; i < n; i++) {
         pov_vec3 start = pov_vec3_of(0.0, 0.0, 0.0);
 

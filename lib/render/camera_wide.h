@@ -11,6 +11,7 @@ typedef struct camera_basis { pov_vec3 right, up, view; double width, height, de
  * before. False: the picture is black there. */
 typedef bool camera_ray(const camera_basis *b, double u, double v, pov_vec3 *dir, pov_vec3 *start);
 
+camera_basis camera_basis_of(const pov_camera *camera);
 unsigned camera_aim_each(camera_ray *find, const pov_camera *camera, const raygen_screen *through, uint32_t n, pov_ray *rays);
 
 static inline double camera_length(pov_vec3 v) { return pov_dot(v, pov_unit(v)); }
