@@ -160,8 +160,9 @@ SIMD_INLINE void put_component(sum_lanes *l, int k, uint32_t i, bool seen, compo
     l->left[k][i] = seen ? after.left : before.left;
 }
 
-/* to: other memory, as compilers take what leaves some lanes as they are for branches. */
-SIMD_CLONES static void add_level(const sum_lanes *restrict from, const level_lanes *restrict l, const level *at, uint32_t n,
+/* to: other memory, as compilers take what leaves some lanes as they are for branches. Within another function they make no vectors
+ * of this loop. */
+SIMD_CLONES SIMD_NOINLINE static void add_level(const sum_lanes *restrict from, const level_lanes *restrict l, const level *at, uint32_t n,
                                   sum_lanes *restrict to)
 {
     const level of = *at;
@@ -224,22 +225,22 @@ static void find_alike(const shading *scene, const surfaces *s, const painted *p
             out->lane[out->count++] = (uint8_t)first_of64(lanes);
 }
 
-/* Terms as they stand in memory, four bytes each: these numbers of eight of them go to lanes side by side. Stored one by one, they
- * would stall the loops that follow. */
+/* Terms and pigments as they stand in memory, four bytes each: these numbers of eight of them go to lanes side by side. Stored one
+ * by one, they would stall the loops that follow. */
 enum { SHARE = 1, PIGMENT = 2, EIGHT = 8 };
 enum { TERMS_AGREE = 1 / (offsetof(texture_term, share) == 4 * SHARE && offsetof(texture_term, pigment) == 4 * PIGMENT &&
                           offsetof(pigment, filter) == 12 && offsetof(pigment, transmit) == 16) };   /* else this does not compile */
 
 #if defined(__AVX__) && defined(__GNUC__)
 
-/* Four numbers of each term from `first` on, the last four not used. */
-SIMD_INLINE void transpose(const texture_term *const t[EIGHT], int first, __m256 to[4])
+/* Four numbers of each, from the first on. */
+SIMD_INLINE void transpose(const void *const t[EIGHT], int first, __m256 to[4])
 {
     __m256 rows[4], low[2], high[2];
 
     for (int j = 0; j < 4; j++)
-        rows[j] = _mm256_insertf128_ps(_mm256_castps128_ps256(_mm_loadu_ps((const float *)(const void *)t[j] + first)),
-                                       _mm_loadu_ps((const float *)(const void *)t[j + 4] + first), 1);
+        rows[j] = _mm256_insertf128_ps(_mm256_castps128_ps256(_mm_loadu_ps((const float *)t[j] + first)),
+                                       _mm_loadu_ps((const float *)t[j + 4] + first), 1);
     for (int j = 0; j < 2; j++) {
         low[j] = _mm256_unpacklo_ps(rows[2 * j], rows[2 * j + 1]);
         high[j] = _mm256_unpackhi_ps(rows[2 * j], rows[2 * j + 1]);
@@ -250,7 +251,7 @@ SIMD_INLINE void transpose(const texture_term *const t[EIGHT], int first, __m256
     to[3] = _mm256_shuffle_ps(high[0], high[1], 0xee);
 }
 
-static inline void put_terms(level_lanes *l, uint32_t i, const texture_term *const t[EIGHT])
+static inline void put_terms(level_lanes *l, uint32_t i, const void *const t[EIGHT])
 {
     __m256 v[4];
 
@@ -263,31 +264,58 @@ static inline void put_terms(level_lanes *l, uint32_t i, const texture_term *con
     _mm256_store_ps(l->filter + i, v[0]);
     _mm256_store_ps(l->transmit + i, v[1]);
 }
+
+static inline void put_pigments(level_lanes *l, uint32_t i, const void *const of[EIGHT])
+{
+    __m256 v[4];
+
+    transpose(of, 0, v);
+    _mm256_store_ps(l->red + i, v[0]);
+    transpose(of, 1, v);
+    _mm256_store_ps(l->green + i, v[0]);
+    _mm256_store_ps(l->blue + i, v[1]);
+    _mm256_store_ps(l->filter + i, v[2]);
+    _mm256_store_ps(l->transmit + i, v[3]);
+}
 #else
-static inline void put_terms(level_lanes *l, uint32_t i, const texture_term *const t[EIGHT])
+static inline void put_pigments(level_lanes *l, uint32_t i, const void *const of[EIGHT])
 {
     for (uint32_t j = 0; j < EIGHT; j++) {
-        l->share[i + j] = t[j]->share;
-        l->red[i + j] = t[j]->pigment.color.r;
-        l->green[i + j] = t[j]->pigment.color.g;
-        l->blue[i + j] = t[j]->pigment.color.b;
-        l->filter[i + j] = t[j]->pigment.filter;
-        l->transmit[i + j] = t[j]->pigment.transmit;
+        const pigment *const from = of[j];
+
+        l->red[i + j] = from->color.r;
+        l->green[i + j] = from->color.g;
+        l->blue[i + j] = from->color.b;
+        l->filter[i + j] = from->filter;
+        l->transmit[i + j] = from->transmit;
     }
+}
+
+static inline void put_terms(level_lanes *l, uint32_t i, const void *const t[EIGHT])
+{
+    const void *of[EIGHT];
+
+    for (uint32_t j = 0; j < EIGHT; j++) {
+        of[j] = &((const texture_term *)t[j])->pigment;
+        l->share[i + j] = ((const texture_term *)t[j])->share;
+    }
+    put_pigments(l, i, of);
 }
 #endif
 
 static void find_covered(const model *m, level_lanes *l, uint32_t n)
 {
-    for (uint32_t i = 0; i < n; i++)
+    if (!m->opacity_uses_filter_colour)
+        memcpy(l->covered, l->filter, n * sizeof l->covered[0]);
+    for (uint32_t i = 0; m->opacity_uses_filter_colour && i < n; i++)
         l->covered[i] = appearance_covered(m, colour_of(l->red[i], l->green[i], l->blue[i]), l->filter[i]);
 }
 
 /* Lanes past the end hold the last one again. */
-static void take_level(level_lanes *l, const alike *a, const painted *p, uint32_t k)
+static void take_terms(level_lanes *l, const alike *a, const painted *p, uint32_t k)
 {
     for (uint32_t i = 0; i < a->count; i += EIGHT) {
-        const texture_term *t[EIGHT];
+        const void *t[EIGHT];
 
         for (uint32_t j = 0; j < EIGHT; j++)
             t[j] = term_at(p, a->lane[i + j < a->count ? i + j : a->count - 1], k);
@@ -295,8 +323,30 @@ static void take_level(level_lanes *l, const alike *a, const painted *p, uint32_
     }
 }
 
-static void begin_lanes(sum_lanes *l, uint32_t n)
+/* Of one layer. */
+static void take_pigments(level_lanes *l, uint32_t n, const pigment *of)
 {
+    for (uint32_t i = 0; i < n; i += EIGHT) {
+        const void *at[EIGHT];
+
+        for (uint32_t j = 0; j < EIGHT; j++)
+            at[j] = &of[i + j < n ? i + j : n - 1];
+        put_pigments(l, i, at);
+    }
+}
+
+/* Sums of the levels so far, in turn; the present level. */
+typedef struct sums {
+    sum_lanes of[2];
+    level_lanes level;
+    uint32_t first_lit;          /* finishes are lit from this level on */
+} sums;
+
+static void begin_lanes(sums *out, uint32_t levels, uint32_t n)
+{
+    sum_lanes *l = &out->of[0];
+
+    out->first_lit = levels;
     for (uint32_t i = 0; i < n; i++) {
         for (int k = 0; k < 3; k++) {
             l->diffuse[k][i] = l->emitted[k][i] = 0.0f;
@@ -306,42 +356,49 @@ static void begin_lanes(sum_lanes *l, uint32_t n)
     }
 }
 
-/* What a lane shows, of finishes of which so many are lit from the top on. */
-static void set_lane(const shading *scene, const alike *a, const sum_lanes *l, const painted *p, uint32_t i, uint32_t first_lit, surfaces *s)
+/* Level k, whose pigments are there. */
+static void add_next_level(const model *m, const alike *a, uint32_t k, uint32_t n, sums *io)
 {
+    const level of = level_of(m, a->of[k]->finish, k, k + 1 < a->levels);
+
+    find_covered(m, &io->level, n);
+    add_level(&io->of[k & 1], &io->level, &of, n, &io->of[~k & 1]);
+    if (a->of[k]->lit && io->first_lit > k)
+        io->first_lit = k;
+}
+
+/* What a lane shows once all levels have been added. */
+static void set_lane(const shading *scene, const alike *a, const sums *from, uint32_t i, surfaces *s)
+{
+    const sum_lanes *l = &from->of[a->levels & 1];
+    const pigment lowest = { .filter = from->level.filter[i], .transmit = from->level.transmit[i] };
     const uint32_t lane = a->lane[i], last = (uint32_t)l->last[i];
-    const term_sum sum = { .scene = scene, .any = a->of[last], .lit = last >= first_lit,
+    const term_sum sum = { .scene = scene, .any = a->of[last], .lit = last >= from->first_lit,
                            .diffuse = colour_of(l->diffuse[0][i], l->diffuse[1][i], l->diffuse[2][i]),
                            .emitted = colour_of(l->emitted[0][i], l->emitted[1][i], l->emitted[2][i]),
                            .left = colour_of(l->left[0][i], l->left[1][i], l->left[2][i]),
-                           .goes_on = last + 1 == a->levels && appearance_transmits(scene->plan, &term_at(p, lane, last)->pigment) };
+                           .goes_on = last + 1 == a->levels && appearance_transmits(scene->plan, &lowest) };
 
     set(&sum, s->at[lane].appearance->material, &s->varying[lane]);
     s->at[lane].appearance = &s->varying[lane];
 }
 
+static uint32_t whole_eights(uint32_t n) { return (n + EIGHT - 1) & ~(uint32_t)(EIGHT - 1); }
+
 /* Returns the lanes that are done. */
 static uint64_t merge_alike(const shading *scene, const alike *a, const painted *p, surfaces *s)
 {
-    const uint32_t whole = (a->count + EIGHT - 1) & ~(uint32_t)(EIGHT - 1);
-    const model *m = scene->model;
-    uint32_t first_lit = a->levels;
+    const uint32_t whole = whole_eights(a->count);
     uint64_t done = 0;
-    sum_lanes sums[2];   /* of the levels so far, in turn */
-    level_lanes l;
+    sums of;
 
-    begin_lanes(&sums[0], whole);
+    begin_lanes(&of, a->levels, whole);
     for (uint32_t k = 0; k < a->levels; k++) {
-        const level of = level_of(m, a->of[k]->finish, k, k + 1 < a->levels);
-
-        take_level(&l, a, p, k);
-        find_covered(m, &l, whole);
-        add_level(&sums[k & 1], &l, &of, whole, &sums[~k & 1]);
-        if (a->of[k]->lit && first_lit > k)
-            first_lit = k;
+        take_terms(&of.level, a, p, k);
+        add_next_level(scene->model, a, k, whole, &of);
     }
     for (uint32_t i = 0; i < a->count; i++) {
-        set_lane(scene, a, &sums[a->levels & 1], p, i, first_lit, s);
+        set_lane(scene, a, &of, i, s);
         done |= (uint64_t)1 << a->lane[i];
     }
     return done;
@@ -369,5 +426,54 @@ void merge_terms(const shading *scene, surfaces *s, painted *p)
             p->merged |= (uint64_t)merge(scene, p, i, s) << i;
             lanes &= lanes - 1;
         }
+    }
+}
+
+/* ---- layers of one texture ---- */
+
+/* From the top. */
+static const texture *layer_of(const texture *of, uint32_t k) { return of->textures[of->count - 1 - k]; }
+
+/* The levels of all of its lanes. False: they are not as one. */
+static bool find_levels(const shading *scene, const texture *of, alike *out)
+{
+    if (!merge_is_possible(scene) || of->blend != BLEND_LAYERS || of->count < 2 || of->count > LEVELS_MOST)
+        return false;
+    out->levels = of->count;
+    for (uint32_t k = 0; k < of->count; k++) {
+        out->of[k] = shading_finish(scene, &layer_of(of, k)->finish);
+        if (layer_of(of, k)->normal || !merge_takes(out->of[k]))
+            return false;
+    }
+    return true;
+}
+
+bool merge_takes_layers(const shading *scene, const texture *of)
+{
+    alike a;
+
+    return find_levels(scene, of, &a);
+}
+
+void merge_layers(const shading *scene, const texture *of, const texture_points *points, surfaces *s)
+{
+    const uint32_t whole = whole_eights(s->count);
+    pigment pigments[BATCH_MAX];
+    sums sum;
+    alike a;
+
+    if (!find_levels(scene, of, &a))
+        return;
+    begin_lanes(&sum, a.levels, whole);
+    for (uint32_t i = 0; i < whole; i++)
+        sum.level.share[i] = 1.0f;
+    for (uint32_t k = 0; k < a.levels; k++) {
+        pigment_eval(scene->model, layer_of(of, k)->pigment, points, s->count, pigments);
+        take_pigments(&sum.level, s->count, pigments);
+        add_next_level(scene->model, &a, k, whole, &sum);
+    }
+    for (uint32_t i = 0; i < s->count; i++) {
+        a.lane[i] = (uint8_t)i;
+        set_lane(scene, &a, &sum, i, s);
     }
 }

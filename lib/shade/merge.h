@@ -14,4 +14,9 @@ bool merge_takes(const appearance *of);
  * Sets their appearances and marks them in p->merged. It depends on nothing but the surface's own terms. */
 void merge_terms(const shading *scene, surfaces *s, painted *p);
 
+/* The same without terms, for surfaces of one texture whose layers can be as one. */
+bool merge_takes_layers(const shading *scene, const texture *of);
+/* At the points of all surfaces, by lane. */
+void merge_layers(const shading *scene, const texture *of, const texture_points *points, surfaces *s);
+
 #endif

@@ -380,11 +380,18 @@ static inline void repaint(const shading *scene, const appearance *of, bool keep
     at->appearance = out;
 }
 
+/* NULL: it does not vary. */
+static const texture *texture_of_first(const surfaces *s)
+{
+    const appearance *of = s->count > 0 ? s->at[0].appearance : NULL;
+
+    return of && of->varies && !of->stack ? of->material->texture : NULL;
+}
+
 /* Surfaces of one material with one layer, whose normals are their own, need no terms either. False: they are not such. */
 static bool paint_alike(const shading *scene, surfaces *s, painted *p)
 {
-    const bool varies = s->count > 0 && s->at[0].appearance->varies && !s->at[0].appearance->stack;
-    const texture *of = varies ? s->at[0].appearance->material->texture : NULL;
+    const texture *of = texture_of_first(s);
     pigment pigments[BATCH_MAX];
     const appearance *finished;
     group g;
@@ -397,6 +404,21 @@ static bool paint_alike(const shading *scene, surfaces *s, painted *p)
     finished = shading_finish(scene, &of->finish);
     for (uint32_t i = 0; i < s->count; i++)
         repaint(scene, finished, scene->most_terms == 1, &pigments[i], &s->at[i], &s->varying[i]);
+    begin_none(s, p);
+    return true;
+}
+
+/* Nor do those of one material with layers that are as one. False: they are not such. */
+static bool merge_alike(const shading *scene, surfaces *s, painted *p)
+{
+    const texture *of = texture_of_first(s);
+    group g;
+
+    if (!of || !are_alike(s) || !merge_takes_layers(scene, of) || s->at[0].appearance->material->double_illuminate)
+        return false;
+    begin(&g, of);
+    add_all(&g, scene, s);
+    merge_layers(scene, of, &g.points, s);
     begin_none(s, p);
     return true;
 }
@@ -421,7 +443,7 @@ paint_kind paint_evaluate(const shading *scene, surfaces *s, painted *p)
         begin_none(s, p);
         return s->at[0].appearance->stack && scene->most_terms > 1 ? PAINT_STACKS : PAINT_SINGLE;
     }
-    if (paint_alike(scene, s, p) || find_normals_alike(scene, s, p))
+    if (paint_alike(scene, s, p) || merge_alike(scene, s, p) || find_normals_alike(scene, s, p))
         return PAINT_SINGLE;
     count = evaluate(scene, s, p);
     for (uint32_t i = 0; i < s->count; i++) {

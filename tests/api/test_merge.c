@@ -8,15 +8,16 @@
 #include <stdio.h>
 #include <string.h>
 
-enum { ACROSS = 24, COUNT = ACROSS * ACROSS, TEXT = 2000 };
+enum { ACROSS = 24, COUNT = ACROSS * ACROSS, TEXT = 2000, LAYERED = 3 };
 
 /* A highlight that is too weak to be seen keeps the terms apart. */
 static const char format[] =
-    "#version 3.7; #declare F = finish { ambient .2 diffuse .5 emission .1 %s }\n"
+    "#version %s; #declare F = finish { ambient .2 diffuse .5 emission .1 %s }\n"
     "camera { location <0, 0, -4> look_at 0 } light_source { <5, 9, -7> rgb <1, .8, .5> } light_source { <-5, 1, -9> rgb .3 }\n"
     "sphere { <0, 0, 3>, 1.5 pigment { checker rgb 1 rgb .2 } }\n"
     "sphere { 0, 1 %s }\n";
 
+/* Layers come first. */
 static const char *const textures[] = {
     "texture { pigment { granite color_map { [0 rgb 1] [1 rgb .3] } } finish { F } }"
     " texture { pigment { checker rgbt <1, .2, .1, .4> rgbf <1, .5, .2, .7> scale .3 } finish { F diffuse .9 } }",
@@ -27,7 +28,7 @@ static const char *const textures[] = {
     "texture { average texture_map { [1 pigment { rgb x } finish { F }] [3 pigment { rgbt <0, 1, 0, .5> } finish { F }] } }",
 };
 
-static float *colours_of(const char *finish, const char *texture)
+static float *colours_of(const char *version, const char *finish, const char *texture)
 {
     static float rgba[4 * COUNT];
     static pov_vec3 org[COUNT], dir[COUNT];
@@ -37,7 +38,7 @@ static float *colours_of(const char *finish, const char *texture)
     pov_tracer *tracer;
     pov_scene *scene;
 
-    assert_true(snprintf(text, sizeof text, format, finish, texture) < TEXT);
+    assert_true(snprintf(text, sizeof text, format, version, finish, texture) < TEXT);
     scene = scenes_text(context, text);
     for (int i = 0; i < COUNT; i++) {
         org[i] = pov_vec3_of(0.0, 0.0, -4.0);
@@ -60,8 +61,8 @@ static void terms_that_are_as_one_look_as_each_does(void **state)
         const float *seen;
         float most = 0.0f;
 
-        memcpy(apart, colours_of("phong 1e-12", textures[k]), sizeof apart);
-        seen = colours_of("", textures[k]);
+        memcpy(apart, colours_of("3.7", "phong 1e-12", textures[k]), sizeof apart);
+        seen = colours_of("3.7", "", textures[k]);
         for (int i = 0; i < 4 * COUNT; i++)
             most = fmaxf(most, fabsf(seen[i] - apart[i]));
         if (most > 2e-6f)
@@ -69,9 +70,30 @@ static void terms_that_are_as_one_look_as_each_does(void **state)
     }
 }
 
+/* Members of a list are terms, and each lane has all of one. What filters cover depends on the version. */
+static void layers_of_one_texture_have_the_bits_of_terms(void **state)
+{
+    static const char *const versions[] = { "3.0", "3.7" };
+    static float of_terms[4 * COUNT];
+
+    (void)state;
+    for (size_t k = 0; k < 2 * LAYERED; k++) {
+        const char *const layers = textures[k / 2];
+        char list[TEXT];
+
+        assert_true(snprintf(list, sizeof list, "translate -9*z } #declare T = %s sphere { 0, 1 texture { checker texture { T } texture { T } }",
+                             layers) < TEXT);
+        memcpy(of_terms, colours_of(versions[k % 2], "", list), sizeof of_terms);
+        assert_memory_equal(of_terms, colours_of(versions[k % 2], "", layers), sizeof of_terms);
+    }
+}
+
 int main(void)
 {
-    const struct CMUnitTest tests[] = { cmocka_unit_test(terms_that_are_as_one_look_as_each_does) };
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(terms_that_are_as_one_look_as_each_does),
+        cmocka_unit_test(layers_of_one_texture_have_the_bits_of_terms),
+    };
 
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
