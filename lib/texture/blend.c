@@ -1,28 +1,66 @@
 #include "texture/blend.h"
 
 /* Values of lists are whole, unless a wave form shaped them. */
-static void find_member(blending *b, uint32_t count, double value, uint32_t lane)
+static void find_members(blending *b, uint32_t count, const double *value, uint32_t n)
 {
-    const double last = (double)(count - 1), within = value > 0.0 ? value < last ? value : last : 0.0;
+    const double last = (double)(count - 1);
 
-    b->low[lane] = (uint32_t)within;
-    b->between[lane] = within - (double)b->low[lane];
+    for (uint32_t i = 0; i < n; i++) {
+        const double within = value[i] > 0.0 ? value[i] < last ? value[i] : last : 0.0;
+
+        b->low[i] = (uint32_t)within;
+        b->between[i] = within - (double)b->low[i];
+    }
 }
 
-/* Values of maps need not rise: the first that is large enough counts, unless the last one is passed. */
-static void find_between(blending *b, uint32_t count, double value, uint32_t lane)
+/* Where value lies, of which i is the first entry that is large enough. Beyond the last entry i is that one. */
+static inline void put_between(blending *b, uint32_t count, double value, uint32_t i, uint32_t lane)
 {
-    uint32_t i = 0;
     bool is_between;
 
-    while (i + 1 < count && value > (double)b->values[i])
-        i++;
     if (!(value < (double)b->values[count - 1]))
         i = count - 1;
     is_between = i > 0 && value < (double)b->values[i];
     b->low[lane] = is_between ? i - 1 : i;
     b->between[lane] = is_between ? (value - (double)b->values[i - 1]) /
                                         ((double)b->values[i] - (double)b->values[i - 1]) : 0.0;
+}
+
+/* Values of maps need not rise: the first that is large enough counts, unless the last one is passed. */
+static void find_between(blending *b, uint32_t count, const double *value, uint32_t n)
+{
+    for (uint32_t lane = 0; lane < n; lane++) {
+        uint32_t i = 0;
+
+        while (i + 1 < count && value[lane] > (double)b->values[i])
+            i++;
+        put_between(b, count, value[lane], i, lane);
+    }
+}
+
+static bool rises(const float *values, uint32_t count)
+{
+    int32_t all = -1;
+
+    for (uint32_t k = 1; k < count; k++)
+        all &= values[k - 1] <= values[k] ? -1 : 0;
+    return all != 0;
+}
+
+/* Where they rise, half of the entries are left out at a time, without branches: lanes would not take them alike. */
+static void find_rising(blending *b, uint32_t count, const double *value, uint32_t n)
+{
+    for (uint32_t lane = 0; lane < n; lane++) {
+        uint32_t i = 0;
+
+        for (uint32_t left = count - 1; left > 0;) {
+            const uint32_t half = (left + 1) / 2;
+
+            i += value[lane] > (double)b->values[i + half - 1] ? half : 0;
+            left -= half;
+        }
+        put_between(b, count, value[lane], i, lane);
+    }
 }
 
 /* The same for lanes side by side: each entry of a short map is held against all of them, from the last one down. */
@@ -83,12 +121,12 @@ void blend_find(blending *b, blend kind, const float *values, uint32_t count, co
         find_short(values, count, value, lanes_whole(n), b);
         return;
     }
-    for (uint32_t i = 0; i < n; i++) {
-        if (kind == BLEND_LIST)
-            find_member(b, count, value[i], i);
-        else
-            find_between(b, count, value[i], i);
-    }
+    if (kind == BLEND_LIST)
+        find_members(b, count, value, n);
+    else if (rises(values, count))
+        find_rising(b, count, value, n);
+    else
+        find_between(b, count, value, n);
 }
 
 void blend_mark(blending *b)
