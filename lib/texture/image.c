@@ -7,19 +7,20 @@
 static void colours(const pattern_input *in, pigment *out)
 {
     const image_map *map = in->of->self;
+    image_place at[LANES_MAX];
 
     if (image_has_lanes(map)) {
         image_colours(map, in->at, in->n, out);
         return;
     }
+    image_places(map, in->at, in->n, at);
     for (uint32_t i = 0; i < in->n; i++)
-        out[i] = image_colour(map, image_place_at(map, lanes_at(in->at, i)));
+        out[i] = image_colour(map, at[i]);
 }
 
 /* What interpolation or bright pixels give beyond 0..1 ends there, and does not begin again as other patterns do. */
-static double brightness(const image_map *map, pov_vec3 point)
+static double brightness(const image_map *map, image_place at)
 {
-    const image_place at = image_place_at(map, point);
     double value;
 
     if (at.is_outside)
@@ -30,8 +31,11 @@ static double brightness(const image_map *map, pov_vec3 point)
 
 static void values(const pattern_input *in, double *value)
 {
+    image_place at[LANES_MAX];
+
+    image_places(in->of->self, in->at, in->n, at);
     for (uint32_t i = 0; i < in->n; i++)
-        value[i] = brightness(in->of->self, lanes_at(in->at, i));
+        value[i] = brightness(in->of->self, at[i]);
 }
 
 /* The number after the last one is the last texture too; larger ones begin again. */
@@ -45,12 +49,11 @@ static double texture_number(double index, uint32_t count)
 static void numbers(const pattern_input *in, double *value)
 {
     const image_map *map = in->of->self;
+    image_place at[LANES_MAX];
 
-    for (uint32_t i = 0; i < in->n; i++) {
-        const image_place at = image_place_at(map, lanes_at(in->at, i));
-
-        value[i] = at.is_outside ? 0.0 : texture_number(image_index(map, at), map->count);
-    }
+    image_places(map, in->at, in->n, at);
+    for (uint32_t i = 0; i < in->n; i++)
+        value[i] = at[i].is_outside ? 0.0 : texture_number(image_index(map, at[i]), map->count);
 }
 
 /* ---- bumps ---- */
@@ -80,10 +83,12 @@ static void find_axes(pov_vec3 n, pov_vec3 *across, pov_vec3 *up)
 static void bump(const pattern_input *in, double amount, vec_lanes *normal)
 {
     const image_map *map = in->of->self;
+    image_place places[LANES_MAX];
 
+    image_places(map, in->at, in->n, places);
     for (uint32_t i = 0; i < in->n; i++) {
         const pov_vec3 n = lanes_at(normal, i), unit = pov_unit(n);
-        const image_place at = image_place_at(map, lanes_at(in->at, i));
+        const image_place at = places[i];
         const double h0 = height(map, at, 0.0, 0.0), h1 = height(map, at, -1.0, -1.0), h2 = height(map, at, 1.0, -1.0);
         pov_vec3 across, up;
 

@@ -1,25 +1,112 @@
 #include "texture/image_sample.h"
 
+#include "base/elementary.h"
+
 #include <string.h>
 
-/* Flat images, between two pixels each way: points side by side, with the same bits as one by one. */
+/* Images between two pixels each way: points side by side, with the same bits as one by one. */
 
 enum { TAPS = 4, CHANNELS = 3 };
 
 /* The upper left pixel at each point, the upper right one, and those below; weights, and what they store. */
 typedef struct SIMD_ALIGNED tap_lanes {
-    double weight[TAPS][LANES_MAX];
+    double weight[TAPS][LANES_MAX], within[2][LANES_MAX];
     int32_t column[2][LANES_MAX], row[2][LANES_MAX];
     int32_t whole[CHANNELS][TAPS][LANES_MAX];   /* what is stored as whole numbers */
     float stored[CHANNELS][TAPS][LANES_MAX];
     float value[CHANNELS + 2][LANES_MAX];   /* and filter and transmit */
-    int64_t outside[LANES_MAX];
 } tap_lanes;
 
 bool image_has_lanes(const image_map *map)
 {
-    return map->type == IMAGE_PLANAR && map->interpolation == IMAGE_BILINEAR && !map->palette && map->image->channels % 2 == 1;
+    return (map->interpolation == IMAGE_BILINEAR || map->interpolation == IMAGE_NORMALISED) && !map->palette &&
+           map->image->channels % 2 == 1;
 }
+
+/* ---- where ---- */
+
+typedef struct SIMD_ALIGNED place_lanes { double u[LANES_MAX], v[LANES_MAX]; } place_lanes;
+
+static const double pi = 3.14159265358979323846;
+
+SIMD_CLONES SIMD_NOINLINE static void find_turns(const vec_lanes *restrict at, uint32_t n, double *restrict u)
+{
+    for (uint32_t i = 0; i < n; i++) {
+        const double turn = elementary_atan2(at->z[i], at->x[i]) / (2.0 * pi);
+
+        u[i] = turn - floor(turn);
+    }
+}
+
+/* Sines of the heights, within -1..1: in the loop of the angles they would keep compilers from making it vectors. */
+SIMD_CLONES SIMD_NOINLINE static void find_sines(const vec_lanes *restrict at, uint32_t n, double *restrict sine)
+{
+    for (uint32_t i = 0; i < n; i++) {
+        const double radius = sqrt(pov_dot(lanes_at(at, i), lanes_at(at, i))), v = at->y[i] / radius, c = v < -1.0 ? -1.0 : v;
+
+        sine[i] = radius > 0.0 ? c > 1.0 ? 1.0 : c : 0.0;
+    }
+}
+
+SIMD_CLONES SIMD_NOINLINE static void find_heights(const double *restrict sine, uint32_t n, double *restrict v)
+{
+    for (uint32_t i = 0; i < n; i++)
+        v[i] = 0.5 + (0.5 * pi - elementary_acos(sine[i])) / pi;
+}
+
+SIMD_CLONES SIMD_NOINLINE static void find_tube_heights(const vec_lanes *restrict at, uint32_t n, double *restrict v)
+{
+    for (uint32_t i = 0; i < n; i++) {
+        const double outward = sqrt(at->x[i] * at->x[i] + at->z[i] * at->z[i]) - 1.0;
+
+        v[i] = 0.5 + elementary_atan2(at->y[i], outward) / (2.0 * pi);
+    }
+}
+
+SIMD_CLONES SIMD_NOINLINE static void bound_places(uint32_t n, place_lanes *p)
+{
+    for (uint32_t i = 0; i < n; i++) {
+        const bool is_near = (fabs(p->u[i]) <= 0x1p52) & (fabs(p->v[i]) <= 0x1p52);
+
+        p->u[i] = is_near ? p->u[i] : 0.0;
+        p->v[i] = is_near ? p->v[i] : 0.0;
+    }
+}
+
+static void find_places(const image_map *map, const vec_lanes *at, uint32_t n, place_lanes *out)
+{
+    SIMD_ALIGNED double sine[LANES_MAX];
+
+    if (map->type == IMAGE_PLANAR)
+        memcpy(out->u, at->x, n * sizeof(double));
+    else
+        find_turns(at, n, out->u);
+    if (map->type == IMAGE_SPHERICAL) {
+        find_sines(at, n, sine);
+        find_heights(sine, n, out->v);
+    } else if (map->type == IMAGE_TOROIDAL) {
+        find_tube_heights(at, n, out->v);
+    } else {
+        memcpy(out->v, at->y, n * sizeof(double));
+    }
+    bound_places(n, out);
+}
+
+static inline bool is_outside(const image_map *map, double u, double v)
+{
+    return map->once && (u < 0.0 || u > 1.0 || v < 0.0 || v > 1.0);
+}
+
+void image_places(const image_map *map, const vec_lanes *at, uint32_t n, image_place *out)
+{
+    place_lanes p;
+
+    find_places(map, at, lanes_whole(n), &p);
+    for (uint32_t i = 0; i < n; i++)
+        out[i] = (image_place){ p.u[i], p.v[i], is_outside(map, p.u[i], p.v[i]) };
+}
+
+/* ---- pixels about a point ---- */
 
 /* From 0 to below 1. */
 SIMD_INLINE double repeated(double v)
@@ -37,24 +124,54 @@ SIMD_INLINE int32_t bound(double i, double size, bool once)
     return (int32_t)(i < 0.0 ? before : i < size ? i : behind);
 }
 
-SIMD_CLONES static void find_taps(const vec_lanes *restrict at, double width, double height, bool once, uint32_t n,
-                                  tap_lanes *restrict out)
+/* The pixel above and before each point, and how far behind it the point is. */
+SIMD_CLONES SIMD_NOINLINE static void find_pixels(const place_lanes *restrict p, double width, double height, bool once, uint32_t n,
+                                                  tap_lanes *restrict out)
 {
     for (uint32_t i = 0; i < n; i++) {
-        const bool is_near = (fabs(at->x[i]) <= 0x1p52) & (fabs(at->y[i]) <= 0x1p52);
-        const double u = is_near ? at->x[i] : 0.0, v = is_near ? at->y[i] : 0.0;
-        const double x = repeated(u) * width - 0.5, y = (1.0 - repeated(v)) * height - 0.5;
-        const double left = floor(x), top = floor(y), tx = x - left, ty = y - top;
+        const double x = repeated(p->u[i]) * width - 0.5, y = (1.0 - repeated(p->v[i])) * height - 0.5;
+        const double left = floor(x), top = floor(y);
 
         out->column[0][i] = bound(left, width, once);
         out->column[1][i] = bound(left + 1.0, width, once);
         out->row[0][i] = bound(top, height, once);
         out->row[1][i] = bound(top + 1.0, height, once);
+        out->within[0][i] = x - left;
+        out->within[1][i] = y - top;
+    }
+}
+
+SIMD_CLONES SIMD_NOINLINE static void weigh_linear(uint32_t n, tap_lanes *out)
+{
+    for (uint32_t i = 0; i < n; i++) {
+        const double tx = out->within[0][i], ty = out->within[1][i];
+
         out->weight[0][i] = (1.0 - tx) * (1.0 - ty);
         out->weight[1][i] = tx * (1.0 - ty);
         out->weight[2][i] = (1.0 - tx) * ty;
         out->weight[3][i] = tx * ty;
-        out->outside[i] = (once & ((u < 0.0) | (u > 1.0) | (v < 0.0) | (v > 1.0))) ? 1 : 0;
+    }
+}
+
+/* By the inverse square of the distance; a point upon a pixel has its value. */
+SIMD_INLINE double near_weight(double x, double y)
+{
+    const double square = x * x + y * y, weight = 1.0 / square;
+
+    return square > 1e-30 ? weight : 1e30;
+}
+
+SIMD_CLONES SIMD_NOINLINE static void weigh_near(uint32_t n, tap_lanes *out)
+{
+    for (uint32_t i = 0; i < n; i++) {
+        const double tx = out->within[0][i], ty = out->within[1][i];
+        const double a = near_weight(tx, ty), b = near_weight(tx - 1.0, ty), c = near_weight(tx, ty - 1.0);
+        const double d = near_weight(tx - 1.0, ty - 1.0), sum = ((a + b) + c) + d;
+
+        out->weight[0][i] = a / sum;
+        out->weight[1][i] = b / sum;
+        out->weight[2][i] = c / sum;
+        out->weight[3][i] = d / sum;
     }
 }
 
@@ -152,14 +269,17 @@ void image_colours(const image_map *map, const vec_lanes *at, uint32_t n, pigmen
 {
     static const pigment nothing = { { 1.0f, 1.0f, 1.0f }, 0.0f, 1.0f };
     const uint32_t whole = lanes_whole(n), green = map->image->channels < 3 ? 0 : 1, blue = 2 * green;
+    place_lanes places;
     tap_lanes t;
 
-    find_taps(at, map->image->width, map->image->height, map->once, whole, &t);
+    find_places(map, at, whole, &places);
+    find_pixels(&places, map->image->width, map->image->height, map->once, whole, &t);
+    (map->interpolation == IMAGE_BILINEAR ? weigh_linear : weigh_near)(whole, &t);
     fetch_all(map, whole, &t);
     find_values(map, whole, &t);
     for (uint32_t i = 0; i < n; i++) {
         const pigment p = { { t.value[0][i], t.value[green][i], t.value[blue][i] }, t.value[CHANNELS][i], t.value[CHANNELS + 1][i] };
 
-        out[i] = t.outside[i] ? nothing : p;
+        out[i] = is_outside(map, places.u[i], places.v[i]) ? nothing : p;
     }
 }

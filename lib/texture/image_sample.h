@@ -9,9 +9,11 @@
 typedef struct image_place { double u, v; bool is_outside; } image_place;   /* outside: of one that does not repeat */
 
 image_place image_place_at(const image_map *map, pov_vec3 point);
+/* The same of n points side by side; those up to lanes_whole(n) are there. */
+void image_places(const image_map *map, const vec_lanes *at, uint32_t n, image_place *out);
 /* Decoded, with the map's filter and transmit. */
 pigment image_colour(const image_map *map, image_place at);
-/* The same of n points side by side, where image_has_lanes(); those up to lanes_whole(n) are there. */
+/* The same of n points side by side, where image_has_lanes(). */
 bool image_has_lanes(const image_map *map);
 void image_colours(const image_map *map, const vec_lanes *at, uint32_t n, pigment *out);
 /* The brightness of the colour. */

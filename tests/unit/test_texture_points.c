@@ -64,27 +64,35 @@ enum { WIDTH = 5, HEIGHT = 3, BYTES = 4 * 3 * WIDTH };
 static void is_as_alone(image_map *map)
 {
     pigment found[LANES_MAX];
+    image_place places[LANES_MAX];
     uint64_t seed = 3;
     vec_lanes at;
 
     assert_true(image_has_lanes(map));
     for (uint32_t i = 0; i < LANES_MAX; i++)
-        lanes_put(&at, i, pov_vec3_of(between(&seed, -1.5, 2.5), between(&seed, -1.5, 2.5), 0.0));
+        lanes_put(&at, i, pov_vec3_of(between(&seed, -1.5, 2.5), between(&seed, -1.5, 2.5), between(&seed, -1.5, 1.5)));
     for (uint32_t i = 0; i < 16; i++)
         lanes_put(&at, i, pov_vec3_of(0.5 * (i / 4) - 0.5, 0.5 * (i % 4) - 0.5, 0.0));
     lanes_put(&at, 16, pov_vec3_of(NAN, 0.4, 0.0));
     lanes_put(&at, 17, pov_vec3_of(0.4, 1e300, 0.0));
     lanes_put(&at, 18, pov_vec3_of(-1e-300, 1.0 - 0x1p-54, 0.0));
+    lanes_put(&at, 19, pov_vec3_of(0.0, HUGE_VAL, 0.0));
+    lanes_put(&at, 20, pov_vec3_of(0.0, -1.0, 0.0));
+    lanes_put(&at, 21, pov_vec3_of(1.0, 0.0, 0.0));
     image_colours(map, &at, LANES_MAX - 1, found);
+    image_places(map, &at, LANES_MAX - 1, places);
     for (uint32_t i = 0; i + 1 < LANES_MAX; i++) {
-        const pigment alone = image_colour(map, image_place_at(map, lanes_at(&at, i)));
+        const image_place place = image_place_at(map, lanes_at(&at, i));
+        const pigment alone = image_colour(map, place);
 
+        assert_true(places[i].u == place.u && places[i].v == place.v && places[i].is_outside == place.is_outside);
         assert_memory_equal(&found[i], &alone, sizeof alone);
     }
 }
 
 static void images_are_as_alone(void **state)
 {
+    static const image_map_type types[] = { IMAGE_PLANAR, IMAGE_SPHERICAL, IMAGE_CYLINDRICAL, IMAGE_TOROIDAL };
     static const uint32_t bits[] = { 8, 16, 32 };
     unsigned char bytes[HEIGHT * BYTES];
     float *const decoded = test_malloc(65536 * sizeof *decoded);
@@ -93,9 +101,10 @@ static void images_are_as_alone(void **state)
 
     for (uint32_t i = 0; i < 65536; i++)
         decoded[i] = (float)(i / 65535.0 * (i / 65535.0));
-    for (int kind = 0; kind < 3 * 2 * 2 * 2; kind++) {
-        image of = { .width = WIDTH, .height = HEIGHT, .channels = kind & 1 ? 1 : 3, .bits = bits[kind / 8], .stride = BYTES, .samples = bytes };
-        image_map map = { .image = &of, .interpolation = IMAGE_BILINEAR, .once = kind & 2, .filter = 0.1f, .transmit = 0.3f };
+    for (int kind = 0; kind < 4 * 2 * 3 * 2 * 2 * 2; kind++) {
+        image of = { .width = WIDTH, .height = HEIGHT, .channels = kind & 1 ? 1 : 3, .bits = bits[kind / 8 % 3], .stride = BYTES, .samples = bytes };
+        image_map map = { .image = &of, .interpolation = kind / 24 % 2 ? IMAGE_NORMALISED : IMAGE_BILINEAR, .type = types[kind / 48],
+                          .once = kind & 2, .filter = 0.1f, .transmit = 0.3f };
 
         for (uint32_t i = 0; i < sizeof bytes; i++)
             bytes[i] = (unsigned char)draw(&seed);
