@@ -35,18 +35,6 @@ static inline pov_two3 to_space(const inverse_map *map, pov_two3 p)
     return out;
 }
 
-/* There is at least one. */
-SIMD_CLONES SIMD_NOINLINE static void map_some(const inverse_map *restrict map, uint32_t first, uint32_t end, vec_lanes *restrict at,
-                                               vec_lanes *restrict at_lo)
-{
-    do {
-        const pov_two3 p = to_space(map, pov_two3_of(lanes_at(at, first), lanes_at(at_lo, first)));
-
-        lanes_put(at, first, pov_two3_hi(p));
-        lanes_put(at_lo, first, pov_two3_lo(p));
-    } while (++first < end);
-}
-
 /* Does each coordinate come of one alone, as where nothing is turned but by right angles? Then the other products are zeros,
  * and the sums without them the same. */
 static bool is_straight(const linear_map *l, int from[3])
@@ -116,34 +104,6 @@ static void scale_points(const inverse_map *map, const int from[3], const vec_la
     }
 }
 
-static void scale_some(const inverse_map *map, const int from[3], uint32_t first, uint32_t n, vec_lanes *at, vec_lanes *at_lo)
-{
-    double *const to[3] = { at->x, at->y, at->z }, *const to_lo[3] = { at_lo->x, at_lo->y, at_lo->z };
-    vec_lanes was, was_lo;
-    double *const was_at[3] = { was.x, was.y, was.z }, *const was_lo_at[3] = { was_lo.x, was_lo.y, was_lo.z };
-
-    for (int i = 0; i < 3; i++) {
-        memcpy(was_at[i] + first, to[i] + first, n * sizeof(double));
-        memcpy(was_lo_at[i] + first, to_lo[i] + first, n * sizeof(double));
-    }
-    for (int i = 0; i < 3; i++) {
-        const int k = from[i];
-        const pov_two by = pov_two_of(map->linear->m[i][k], map->linear->m_lo[i][k]), move = pov_two_of(map->move[i], map->move_lo[i]);
-
-        scale_axis_exactly(by, move, was_at[k] + first, was_lo_at[k] + first, n, to[i] + first, to_lo[i] + first);
-    }
-}
-
-void texture_points_map(const inverse_map *map, uint32_t first, uint32_t end, texture_points *io)
-{
-    int from[3];
-
-    if (map && is_straight(map->linear, from))
-        scale_some(map, from, first, end - first, &io->at, &io->at_lo);
-    else if (map)
-        map_some(map, first, end, &io->at, &io->at_lo);
-}
-
 /* The points in the pattern's own space, rounded once. There is at least one: with a loop that tests first, compilers
  * without clones warn of uninitialised lanes. */
 SIMD_CLONES SIMD_NOINLINE static void map_points(const inverse_map *restrict map, const vec_lanes *restrict at,
@@ -168,6 +128,50 @@ SIMD_CLONES SIMD_NOINLINE static void map_points_exactly(const inverse_map *rest
         lanes_put(out, i, pov_two3_hi(p));
         lanes_put(out_lo, i, pov_two3_lo(p));
     } while (++i < n);
+}
+
+static void copy_lanes(const vec_lanes *from, uint32_t first, uint32_t n, vec_lanes *to, uint32_t place)
+{
+    memcpy(to->x + place, from->x + first, n * sizeof(double));
+    memcpy(to->y + place, from->y + first, n * sizeof(double));
+    memcpy(to->z + place, from->z + first, n * sizeof(double));
+}
+
+static void scale_some(const inverse_map *map, const int from[3], uint32_t first, uint32_t n, vec_lanes *at, vec_lanes *at_lo)
+{
+    double *const to[3] = { at->x, at->y, at->z }, *const to_lo[3] = { at_lo->x, at_lo->y, at_lo->z };
+    vec_lanes was, was_lo;
+
+    copy_lanes(at, first, n, &was, 0);
+    copy_lanes(at_lo, first, n, &was_lo, 0);
+    for (int i = 0; i < 3; i++) {
+        const int k = from[i];
+        const pov_two by = pov_two_of(map->linear->m[i][k], map->linear->m_lo[i][k]), move = pov_two_of(map->move[i], map->move_lo[i]);
+
+        scale_axis_exactly(by, move, axis_of(&was, k), axis_of(&was_lo, k), n, to[i] + first, to_lo[i] + first);
+    }
+}
+
+/* From other memory: compilers make no vectors of loops that change what they read. */
+static void map_some(const inverse_map *map, uint32_t first, uint32_t n, vec_lanes *at, vec_lanes *at_lo)
+{
+    vec_lanes was, was_lo, out, out_lo;
+
+    copy_lanes(at, first, n, &was, 0);
+    copy_lanes(at_lo, first, n, &was_lo, 0);
+    map_points_exactly(map, &was, &was_lo, n, &out, &out_lo);
+    copy_lanes(&out, 0, n, at, first);
+    copy_lanes(&out_lo, 0, n, at_lo, first);
+}
+
+void texture_points_map(const inverse_map *map, uint32_t first, uint32_t end, texture_points *io)
+{
+    int from[3];
+
+    if (map && is_straight(map->linear, from))
+        scale_some(map, from, first, end - first, &io->at, &io->at_lo);
+    else if (map)
+        map_some(map, first, end - first, &io->at, &io->at_lo);
 }
 
 /* Where nothing is moved; 0 is added as it would be, which makes of -0 a 0. */
