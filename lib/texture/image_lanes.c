@@ -6,21 +6,21 @@
 
 /* Images between two pixels each way: points side by side, with the same bits as one by one. */
 
-enum { TAPS = 4, CHANNELS = 3 };
+enum { TAPS = 4, CHANNELS = 3, VALUES = 5 };   /* red, green, blue; filter, transmit */
 
 /* The upper left pixel at each point, the upper right one, and those below; weights, and what they store. */
 typedef struct SIMD_ALIGNED tap_lanes {
     double weight[TAPS][LANES_MAX], within[2][LANES_MAX];
     int32_t column[2][LANES_MAX], row[2][LANES_MAX];
     int32_t whole[CHANNELS][TAPS][LANES_MAX];   /* what is stored as whole numbers */
-    float stored[CHANNELS][TAPS][LANES_MAX];
-    float value[CHANNELS + 2][LANES_MAX];   /* and filter and transmit */
+    float stored[VALUES][TAPS][LANES_MAX];  /* filter and transmit of palettes alone */
+    float value[VALUES][LANES_MAX];
 } tap_lanes;
 
 bool image_has_lanes(const image_map *map)
 {
-    return (map->interpolation == IMAGE_BILINEAR || map->interpolation == IMAGE_NORMALISED) && !map->palette &&
-           map->image->channels % 2 == 1;
+    return (map->interpolation == IMAGE_BILINEAR || map->interpolation == IMAGE_NORMALISED) &&
+           (map->palette || map->image->channels % 2 == 1);
 }
 
 /* ---- where ---- */
@@ -217,11 +217,32 @@ SIMD_CLONES static void decode(double one, uint32_t n, const int32_t *restrict w
         stored[i] = (float)((double)whole[i] / one);
 }
 
+static void fetch_palette(const image_map *map, uint32_t n, tap_lanes *t)
+{
+    const image *of = map->image;
+    const size_t size = of->channels * of->bits / 8;
+
+    for (uint32_t i = 0; i < n; i++)
+        for (int k = 0; k < TAPS; k++) {
+            const pigment *p = &map->palette[of->samples[(size_t)t->row[k >> 1][i] * of->stride + (size_t)t->column[k & 1][i] * size]];
+
+            t->stored[0][k][i] = p->color.r;
+            t->stored[1][k][i] = p->color.g;
+            t->stored[2][k][i] = p->color.b;
+            t->stored[3][k][i] = p->filter;
+            t->stored[4][k][i] = p->transmit;
+        }
+}
+
 static void fetch_all(const image_map *map, uint32_t n, tap_lanes *t)
 {
     const uint32_t bits = map->image->bits;
     const bool decodes = map->decoded != NULL;
 
+    if (map->palette) {
+        fetch_palette(map, n, t);
+        return;
+    }
     if (bits == 32)
         fetch_channels(map, 32, false, n, t);
     else if (bits == 16 && decodes)
@@ -255,8 +276,12 @@ SIMD_CLONES static void mix_one(const tap_lanes *restrict t, double of, uint32_t
 
 static void find_values(const image_map *map, uint32_t n, tap_lanes *t)
 {
-    for (uint32_t c = 0; c < map->image->channels; c++)
+    const uint32_t count = map->palette ? VALUES : map->image->channels;
+
+    for (uint32_t c = 0; c < count; c++)
         mix(t, c, n, t->value[c]);
+    if (map->palette)
+        return;
     if (map->filter == 0.0 && map->transmit == 0.0) {
         memset(t->value[CHANNELS], 0, 2 * sizeof t->value[0]);
         return;
@@ -268,7 +293,7 @@ static void find_values(const image_map *map, uint32_t n, tap_lanes *t)
 void image_colours(const image_map *map, const vec_lanes *at, uint32_t n, pigment *out)
 {
     static const pigment nothing = { { 1.0f, 1.0f, 1.0f }, 0.0f, 1.0f };
-    const uint32_t whole = lanes_whole(n), green = map->image->channels < 3 ? 0 : 1, blue = 2 * green;
+    const uint32_t whole = lanes_whole(n), green = map->palette || map->image->channels >= 3 ? 1 : 0, blue = 2 * green;
     place_lanes places;
     tap_lanes t;
 

@@ -116,6 +116,26 @@ static void images_are_as_alone(void **state)
     test_free(decoded);
 }
 
+static void images_with_a_palette_are_as_alone(void **state)
+{
+    unsigned char bytes[HEIGHT * WIDTH];
+    pigment palette[256];
+    uint64_t seed = 12;
+    (void)state;
+
+    for (uint32_t i = 0; i < sizeof bytes; i++)
+        bytes[i] = (unsigned char)draw(&seed);
+    for (int i = 0; i < 256; i++)
+        palette[i] = (pigment){ { (float)between(&seed, 0.0, 1.0), (float)between(&seed, 0.0, 1.0), (float)between(&seed, 0.0, 1.0) },
+                                (float)between(&seed, 0.0, 1.0), (float)between(&seed, 0.0, 1.0) };
+    for (int kind = 0; kind < 4; kind++) {
+        image of = { .width = WIDTH, .height = HEIGHT, .channels = 1, .bits = 8, .stride = WIDTH, .samples = bytes, .colours = 256 };
+        image_map map = { .image = &of, .interpolation = kind & 1 ? IMAGE_NORMALISED : IMAGE_BILINEAR, .once = kind & 2, .palette = palette };
+
+        is_as_alone(&map);
+    }
+}
+
 /* ---- volumes ---- */
 
 /* Cubic, along x: the voxel before the first is 2^64 - 1 modulo their number, as in POV-Ray; those behind the last are the
@@ -180,6 +200,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(points_are_rounded_once),
         cmocka_unit_test(images_are_as_alone),
+        cmocka_unit_test(images_with_a_palette_are_as_alone),
         cmocka_unit_test(voxels_before_the_first_are_as_in_pov_ray),
         cmocka_unit_test(twelve_gons_are_less_steep_from_three_sides),
     };
