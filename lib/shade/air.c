@@ -30,20 +30,6 @@ static inline veil fogs_at(const fog_veils *f, uint32_t i)
     return v;
 }
 
-colour air_fog_dims(const shading *scene, pov_vec3 from, pov_vec3 dir, double length)
-{
-    fog_segments s;
-    fog_veils v;
-
-    lanes_put(&s.from, 0, from);
-    lanes_put(&s.dir, 0, dir);
-    s.length[0] = length;
-    s.count = 1;
-    fog_fill(&s);
-    fog_find(scene->model, &s, &v);
-    return colour_of(v.by[0][0], v.by[1][0], v.by[2][0]);
-}
-
 /* ---- rainbows ---- */
 
 static pigment map_colour(const rainbow *r, double at)

@@ -29,8 +29,6 @@ static inline bool air_dims(const model *m) { return m->fogs.count > 0 || m->rai
 void air_background(shade_context *c, batch *b, uint64_t rays, const air_segments *on, colour *out);
 /* How many solids that are not hollow a path is in that has crossed the surface. */
 uint32_t air_solids_across(const shading *scene, const surface *s);
-/* What fog leaves of light that it dims: most lights are not dimmed by it. The direction is a unit vector. */
-colour air_fog_dims(const shading *scene, pov_vec3 from, pov_vec3 dir, double length);
 /* Begin with some of a batch's paths, at least one. The caller sets the lengths, by ray parameters; HUGE_VAL: it is endless. */
 void air_begin(air_segments *s, batch *b, uint32_t first, uint32_t count);
 /* Complete the segments. */

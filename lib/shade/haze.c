@@ -50,12 +50,65 @@ void haze_dim(const shading *scene, interior_walk *w, const pov_ray *ray, const 
     }
 }
 
-static void attenuate_by_fog(const shading *scene, const interior_walk *w, const pov_ray *ray, double from, double to, colour *through)
-{
-    const media_segment s = segment_of(ray, from, to);
+/* Pieces of the ways of light that fogs dim, those of one ray in their order. */
+typedef struct fogged {
+    const shading *scene;
+    colour *through;             /* by ray */
+    uint8_t ray[LANES_MAX];
+    fog_segments on;
+} fogged;
 
-    if (scene->model->fogs.count > 0 && w->solids == 0 && to > from)
-        *through = colour_mul(*through, air_fog_dims(scene, s.from, s.dir, s.length));
+static void dim_by_fogs(fogged *f)
+{
+    fog_veils v;
+
+    if (f->on.count == 0)
+        return;
+    fog_fill(&f->on);
+    fog_find(f->scene->model, &f->on, &v);
+    for (uint32_t i = 0; i < f->on.count; i++) {
+        colour *through = &f->through[f->ray[i]];
+
+        *through = colour_mul(*through, colour_of(v.by[0][i], v.by[1][i], v.by[2][i]));
+    }
+    f->on.count = 0;
+}
+
+static void add_to_fogs(fogged *f, uint32_t which, const interior_walk *w, const pov_ray *ray, double from, double to)
+{
+    const uint32_t n = f->on.count;
+    media_segment s;
+
+    if (f->scene->model->fogs.count == 0 || w->solids > 0 || !(to > from))
+        return;
+    s = segment_of(ray, from, to);
+    lanes_put(&f->on.from, n, s.from);
+    lanes_put(&f->on.dir, n, s.dir);
+    f->on.length[n] = s.length;
+    f->ray[n] = (uint8_t)which;
+    f->on.count = n + 1;
+    if (f->on.count == LANES_MAX)
+        dim_by_fogs(f);
+}
+
+/* Add the pieces of a ray's way. Returns where the atmosphere ends: it dims each piece that ends at a surface, in solids too, and the
+ * last one if that lies in none. */
+static double add_way(fogged *f, uint32_t which, interior_walk *w, const pov_ray *ray, double tmax, const occlusion *found)
+{
+    const uint32_t count = found->crossed >> which & 1 ? found->count[which] : 0;
+    double before = 0.0;
+
+    if (count > 0)
+        fade_sort(found->at[which], count);
+    for (uint32_t i = 0; i < count; i++) {
+        const pov_crossing *at = &found->at[which][i];
+
+        add_to_fogs(f, which, w, ray, before, at->t);
+        walk_over(f->scene, w, ray, at);
+        before = at->t;
+    }
+    add_to_fogs(f, which, w, ray, before, tmax);
+    return w->solids == 0 ? tmax : before;
 }
 
 static void attenuate_by_atmosphere(const shading *scene, const pov_ray *ray, double to, colour *through)
@@ -68,32 +121,51 @@ static void attenuate_by_atmosphere(const shading *scene, const pov_ray *ray, do
         *through = colour_mul(*through, media_transmittance(scene->model, &set, &s));
 }
 
-/* As in POV-Ray: fog dims what lies in no solid. The atmosphere dims each piece that ends at a surface, in solids too, and the last
- * one if that lies in none. */
-void haze_attenuate(const shade_context *c, const light *from, const path *p, const pov_ray *ray, double tmax, colour *through)
+/* As in POV-Ray fog dims what lies in no solid. */
+static void attenuate(const shade_context *c, const light_ways *on, colour *through)
 {
     const shading *scene = c->scene;
-    double before = 0.0;
+    double air[BATCH_MAX];
     occlusion found;
     interior_walk w;
+    fogged f;
+
+    f.scene = scene;
+    f.through = through;
+    f.on.count = 0;
+    found.crossed = 0;
+    if (scene->plan->transmission)
+        query_occlusion(scene->world, c->context, on->rays, on->count, on->tmax, &found);
+    for (uint32_t i = 0; i < on->count; i++) {
+        walk_begin(c, on->from[i], &w);
+        air[i] = add_way(&f, i, &w, on->rays[i], on->tmax, &found);
+    }
+    dim_by_fogs(&f);
+    for (uint32_t i = 0; scene->model->atmosphere && i < on->count; i++)
+        attenuate_by_atmosphere(scene, on->rays[i], air[i], &through[i]);
+}
+
+void haze_attenuate(const shade_context *c, const light *from, const light_ways *on, uint64_t lit, colour *through)
+{
+    const shading *scene = c->scene;
+    const path *paths[BATCH_MAX];
+    const pov_ray *rays[BATCH_MAX];
+    light_ways some = { rays, paths, 0, on->tmax };
+    colour left[BATCH_MAX];
 
     if (!(from->flags & LIGHT_ATTENUATED) || (scene->model->fogs.count == 0 && !scene->model->atmosphere))
         return;
-    walk_begin(c, p, &w);
-    found.crossed = 0;
-    if (scene->plan->transmission)
-        query_occlusion(scene->world, c->context, &ray, 1, tmax, &found);
-    if (found.crossed)
-        fade_sort(found.at[0], found.count[0]);
-    for (uint32_t i = 0; found.crossed && i < found.count[0]; i++) {
-        const pov_crossing *at = &found.at[0][i];
+    for (uint64_t rest = lit; rest; rest &= rest - 1, some.count++) {
+        const uint32_t i = first_of64(rest);
 
-        attenuate_by_fog(scene, &w, ray, before, at->t, through);
-        walk_over(scene, &w, ray, at);
-        before = at->t;
+        rays[some.count] = on->rays[i];
+        paths[some.count] = on->from[i];
+        left[some.count] = through[i];
     }
-    attenuate_by_fog(scene, &w, ray, before, tmax, through);
-    attenuate_by_atmosphere(scene, ray, w.solids == 0 ? tmax : before, through);
+    if (some.count > 0)
+        attenuate(c, &some, left);
+    for (uint32_t n = 0; lit; lit &= lit - 1)
+        through[first_of64(lit)] = left[n++];
 }
 
 /* ---- light that is scattered to a path ---- */
@@ -173,6 +245,7 @@ static colour add_visible(beams *b, uint32_t part, const media_random *random)
     const light_origin origin = light_own_origin(l);
     const bool at_one = !b->light->class->parallel && !b->light->grid && l->through_count == 0;
     const segment_end end = { b->samples.in.tmax, at_one ? &origin : NULL, 0 };
+    const light_ways on = { b->rays, b->from, b->samples.count, end.tmax };
     colour through[BATCH_MAX], sum = colour_of(0.0f, 0.0f, 0.0f);
     uint64_t lit = ~(uint64_t)0;
 
@@ -180,10 +253,11 @@ static colour add_visible(beams *b, uint32_t part, const media_random *random)
     if (l->through_count > 0)
         lit = shorten(b);
     c->counts.shadow += b->samples.count;
-    for (lit &= transmittance_find(c, b->rays, b->from, b->samples.count, end, through); lit; lit &= lit - 1) {
+    lit &= transmittance_find(c, b->rays, b->from, b->samples.count, end, through);
+    haze_attenuate(c, l, &on, lit, through);
+    for (; lit; lit &= lit - 1) {
         const uint32_t i = first_of64(lit);
 
-        haze_attenuate(c, l, b->path, &b->own[i], end.tmax, &through[i]);
         sum = colour_add(sum, colour_mul(b->samples.value[i], through[i]));
     }
     return sum;

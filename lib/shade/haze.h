@@ -11,7 +11,10 @@ void haze_cross(shade_context *c, const path *p, const media_segment *on, bool e
 /* What media leave of light that crosses these surfaces, in the order of their distances: every piece of its way that
  * ends at a surface counts, not the last one. */
 void haze_dim(const shading *scene, interior_walk *w, const pov_ray *ray, const pov_crossing *at, uint32_t count, double by[3]);
-/* What the atmosphere and fog leave of a light that they dim, for a ray to org + tmax dir that starts where the path was. */
-void haze_attenuate(const shade_context *c, const light *from, const path *p, const pov_ray *ray, double tmax, colour *through);
+/* Ways of light, up to BATCH_MAX: rays to org + tmax dir, each of which starts where its path was. */
+typedef struct light_ways { const pov_ray *const *rays; const path *const *from; uint32_t count; double tmax; } light_ways;
+
+/* What the atmosphere and fog leave of a light that they dim, on those of its ways that are lit. */
+void haze_attenuate(const shade_context *c, const light *from, const light_ways *on, uint64_t lit, colour *through);
 
 #endif

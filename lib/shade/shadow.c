@@ -149,11 +149,12 @@ void shadow_keep_crossing(lighting *l, const light *from, double tmax)
 /* Light that the atmosphere and fog dim. */
 static void attenuate(const lighting *l, const light *from, double tmax, uint64_t lit, colour *through)
 {
-    for (; lit; lit &= lit - 1) {
-        const uint32_t i = first_of64(lit);
+    const path *paths[BATCH_MAX];
+    const light_ways on = { l->rays, paths, l->count, tmax };
 
-        haze_attenuate(l->context, from, l->on->at[l->of[i]].from, l->rays[i], tmax, &through[i]);
-    }
+    for (uint32_t i = 0; i < l->count; i++)
+        paths[i] = l->on->at[l->of[i]].from;
+    haze_attenuate(l->context, from, &on, lit, through);
 }
 
 /* The rays to one point of a light source that are not occluded. */
