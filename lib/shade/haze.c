@@ -7,13 +7,6 @@
 #include "shade/spawn.h"
 #include "shade/transmittance.h"
 
-static void take(double by[3], colour c)
-{
-    by[0] *= (double)c.r;
-    by[1] *= (double)c.g;
-    by[2] *= (double)c.b;
-}
-
 static media_segment segment_of(const pov_ray *ray, double from, double to)
 {
     const media_segment s = { pov_add(ray->org, pov_scale(ray->dir, from)), pov_unit(ray->dir), (to - from) * light_length(ray->dir) };
@@ -33,7 +26,7 @@ static void walk_over(const shading *scene, interior_walk *w, const pov_ray *ray
     walk_cross(scene, w, at->owner, h.entering);
 }
 
-void haze_dim(const shading *scene, interior_walk *w, const pov_ray *ray, const pov_crossing *at, uint32_t count, double by[3])
+void haze_dim(const shading *scene, interior_walk *w, const pov_ray *ray, const pov_crossing *at, uint32_t count, light_product *by)
 {
     double before = 0.0;
     media_set set;
@@ -43,14 +36,14 @@ void haze_dim(const shading *scene, interior_walk *w, const pov_ray *ray, const 
         if (set.count > 0 && at[i].t > before) {
             const media_segment s = segment_of(ray, before, at[i].t);
 
-            take(by, media_transmittance(scene->model, &set, &s));
+            light_take(by, media_transmittance(scene->model, &set, &s));
         }
         walk_over(scene, w, ray, &at[i]);
         before = at[i].t;
     }
 }
 
-/* Pieces of the ways of light that fogs dim, those of one ray in their order. */
+/* Pieces of segments of light that fogs dim, those of one ray in their order. */
 typedef struct fogged {
     const shading *scene;
     colour *through;             /* by ray */
@@ -91,9 +84,9 @@ static void add_to_fogs(fogged *f, uint32_t which, const interior_walk *w, const
         dim_by_fogs(f);
 }
 
-/* Add the pieces of a ray's way. Returns where the atmosphere ends: it dims each piece that ends at a surface, in solids too, and the
+/* Add the pieces of a segment. Returns where the atmosphere ends: it dims each piece that ends at a surface, in solids too, and the
  * last one if that lies in none. */
-static double add_way(fogged *f, uint32_t which, interior_walk *w, const pov_ray *ray, double tmax, const occlusion *found)
+static double add_pieces(fogged *f, uint32_t which, interior_walk *w, const pov_ray *ray, double tmax, const occlusion *found)
 {
     const uint32_t count = found->crossed >> which & 1 ? found->count[which] : 0;
     double before = 0.0;
@@ -122,7 +115,7 @@ static void attenuate_by_atmosphere(const shading *scene, const pov_ray *ray, do
 }
 
 /* As in POV-Ray fog dims what lies in no solid. */
-static void attenuate(const shade_context *c, const light_ways *on, colour *through)
+static void attenuate(const shade_context *c, const light_segments *on, colour *through)
 {
     const shading *scene = c->scene;
     double air[BATCH_MAX];
@@ -138,19 +131,19 @@ static void attenuate(const shade_context *c, const light_ways *on, colour *thro
         query_occlusion(scene->world, c->context, on->rays, on->count, on->tmax, &found);
     for (uint32_t i = 0; i < on->count; i++) {
         walk_begin(c, on->from[i], &w);
-        air[i] = add_way(&f, i, &w, on->rays[i], on->tmax, &found);
+        air[i] = add_pieces(&f, i, &w, on->rays[i], on->tmax, &found);
     }
     dim_by_fogs(&f);
     for (uint32_t i = 0; scene->model->atmosphere && i < on->count; i++)
         attenuate_by_atmosphere(scene, on->rays[i], air[i], &through[i]);
 }
 
-void haze_attenuate(const shade_context *c, const light *from, const light_ways *on, uint64_t lit, colour *through)
+void haze_attenuate(const shade_context *c, const light *from, const light_segments *on, uint64_t lit, colour *through)
 {
     const shading *scene = c->scene;
     const path *paths[BATCH_MAX];
     const pov_ray *rays[BATCH_MAX];
-    light_ways some = { rays, paths, 0, on->tmax };
+    light_segments some = { rays, paths, 0, on->tmax };
     colour left[BATCH_MAX];
 
     if (!(from->flags & LIGHT_ATTENUATED) || (scene->model->fogs.count == 0 && !scene->model->atmosphere))
@@ -245,7 +238,7 @@ static colour add_visible(beams *b, uint32_t part, const media_random *random)
     const light_origin origin = light_own_origin(l);
     const bool at_one = !b->light->class->parallel && !b->light->grid && l->through_count == 0;
     const segment_end end = { b->samples.in.tmax, at_one ? &origin : NULL, 0 };
-    const light_ways on = { b->rays, b->from, b->samples.count, end.tmax };
+    const light_segments on = { b->rays, b->from, b->samples.count, end.tmax };
     colour through[BATCH_MAX], sum = colour_of(0.0f, 0.0f, 0.0f);
     uint64_t lit = ~(uint64_t)0;
 

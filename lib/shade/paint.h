@@ -32,11 +32,14 @@ void paint_appearance(const shading *scene, const surface *s, const texture_term
 pov_vec3 paint_normal(const surfaces *s, uint32_t lane, const texture_term *t);
 /* Set appearances and normals of surfaces that are one term each. */
 void paint_surfaces(const shading *scene, surfaces *s, const painted *p);
-/* Filter of light that crosses a surface with a varying texture on this ray. The hit's point is known. */
-colour paint_filter(const shading *scene, const pov_ray *ray, const hit *h);
 /* The terms at a completed hit on a varying texture; room for scene->most_terms. Returns their number. */
 uint32_t paint_hit(const shading *scene, const pov_ray *ray, const hit *h, texture_term *out);
-/* The factor of light on this ray that its texture focuses, as texture_focus() says. The hit's point is known. */
-double paint_focus(const shading *scene, const pov_ray *ray, const hit *h, double power);
+/* Where light crosses surfaces: completed hits of these rays, up to BATCH_MAX. */
+typedef struct light_crossings { const pov_ray *const *rays; const hit *const *hits; uint32_t count; } light_crossings;
+
+/* Filters of surfaces with varying textures, by crossing. */
+void paint_filters(const shading *scene, const light_crossings *at, colour *out);
+/* Factors of light that surfaces focus, as texture_focus() says, by crossing. */
+void paint_focus(const shading *scene, const light_crossings *at, const double *power, double *out);
 
 #endif

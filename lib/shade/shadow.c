@@ -150,7 +150,7 @@ void shadow_keep_crossing(lighting *l, const light *from, double tmax)
 static void attenuate(const lighting *l, const light *from, double tmax, uint64_t lit, colour *through)
 {
     const path *paths[BATCH_MAX];
-    const light_ways on = { l->rays, paths, l->count, tmax };
+    const light_segments on = { l->rays, paths, l->count, tmax };
 
     for (uint32_t i = 0; i < l->count; i++)
         paths[i] = l->on->at[l->of[i]].from;

@@ -1,105 +1,87 @@
 #include "shade/transmittance.h"
 
 #include "base/simd.h"
-#include "shade/fade.h"
+#include "shade/crossings.h"
 #include "shade/haze.h"
 #include "shade/paint.h"
 #include "shade/photons.h"
 
 #include <povtrace/exact.h>
 
-/* Filter of a surface where the ray crosses it. For a varying texture the point is computed as for a hit. */
-static colour filter_at(const shading *scene, const pov_ray *ray, const pov_crossing *at)
-{
-    const appearance *a = shading_constant(scene, at->owner);
-    hit h;
-
-    if (!a->varies)
-        return a->onward.filter.by;
-    h.object = at->owner;
-    h.crossing = *at;
-    world_surface(scene->world, ray, &h);
-    return paint_filter(scene, ray, &h);
-}
-
-/* The same for a known point. */
+/* Filter of a surface at a known point. */
 static colour filter_of(const shading *scene, const pov_ray *ray, const hit *h)
 {
     const appearance *a = shading_constant(scene, h->object);
+    const light_crossings at = { &ray, &h, 1 };
+    colour by = a->onward.filter.by;
 
-    return a->varies ? paint_filter(scene, ray, h) : a->onward.filter.by;
+    if (a->varies)
+        paint_filters(scene, &at, &by);
+    return by;
 }
 
-/* What filters have left of light so far. Their positions along a light path do not matter to the product. It is rounded
- * once, in the order of the objects: the same for the tree and the list. */
-typedef struct product { double r, g, b; } product;
-
-static inline product product_of(colour c)
-{
-    const product p = { (double)c.r, (double)c.g, (double)c.b };
-
-    return p;
-}
-
-static inline void take(product *p, colour filter)
-{
-    p->r *= (double)filter.r;
-    p->g *= (double)filter.g;
-    p->b *= (double)filter.b;
-}
-
-static inline bool is_left(product p, colour *through)
+/* The product is rounded once. False: nothing is left. */
+static inline bool is_left(light_product p, colour *through)
 {
     *through = colour_of((float)p.r, (float)p.g, (float)p.b);
     return !colour_is_black(*through);
 }
 
+static inline light_product product_of(colour c)
+{
+    const light_product p = { (double)c.r, (double)c.g, (double)c.b };
+
+    return p;
+}
+
 /* False: nothing is left. */
 static inline bool multiply(const shading *scene, const pov_crossing *at, uint32_t count, colour *through)
 {
-    product p = product_of(*through);
+    light_product p = product_of(*through);
 
     for (uint32_t i = 0; i < count; i++)
-        take(&p, shading_constant(scene, at[i].owner)->onward.filter.by);
+        light_take(&p, shading_constant(scene, at[i].owner)->onward.filter.by);
     return is_left(p, through);
 }
 
-/* The same where some filters may vary. */
-static bool multiply_varying(const shading *scene, const pov_ray *ray, const pov_crossing *at, uint32_t count,
-                             colour *through)
+/* What solids leave of light. Their order along the way matters. */
+static void dim_by_solids(const shading *scene, interior_walk *around, const pov_ray *const *rays, const occlusion *found, uint64_t which,
+                          light_product *left)
 {
-    product p = product_of(*through);
+    light_product by[BATCH_MAX];
 
-    for (uint32_t i = 0; i < count; i++)
-        take(&p, filter_at(scene, ray, &at[i]));
-    return is_left(p, through);
+    for (uint64_t rest = which; rest; rest &= rest - 1)
+        by[first_of64(rest)] = product_of(colour_of(1.0f, 1.0f, 1.0f));
+    crossings_fade(scene, around, rays, found, which, by);
+    for (; which; which &= which - 1) {
+        const uint32_t i = first_of64(which);
+
+        if (scene->plan->media)
+            haze_dim(scene, &around[i], rays[i], found->at[i], found->count[i], &by[i]);
+        left[i].r *= by[i].r;
+        left[i].g *= by[i].g;
+        left[i].b *= by[i].b;
+    }
 }
 
-/* The same where solids count too. */
-static bool multiply_located(const shading *scene, interior_walk *w, const pov_ray *ray, pov_crossing *at, uint32_t count,
-                             colour *through)
+/* Light that crosses surfaces, by ray (bits). Returns those of which something is left. around: where solids count. */
+static uint64_t cross(const shading *scene, interior_walk *around, const pov_ray *const *rays, const occlusion *found, uint64_t which,
+                      colour *through)
 {
-    double by[3] = { 1.0, 1.0, 1.0 };
-    product p = product_of(*through);
+    light_product left[BATCH_MAX];
+    uint64_t lit = 0;
 
-    for (uint32_t i = 0; i < count; i++)
-        take(&p, filter_at(scene, ray, &at[i]));
-    fade_crossings(scene, w, ray, at, count, by);
-    if (scene->plan->media)
-        haze_dim(scene, w, ray, at, count, by);
-    p.r *= by[0];
-    p.g *= by[1];
-    p.b *= by[2];
-    return is_left(p, through);
-}
-
-static inline bool cross(const shading *scene, interior_walk *w, const pov_ray *ray, const occlusion *found, uint32_t i,
-                         colour *through)
-{
+    for (uint64_t rest = which; rest; rest &= rest - 1)
+        left[first_of64(rest)] = product_of(through[first_of64(rest)]);
+    crossings_filter(scene, rays, found, which, left);
     if (scene->plan->located)
-        return multiply_located(scene, w, ray, found->at[i], found->count[i], through);
-    return scene->plan->textures ? multiply_varying(scene, ray, found->at[i], found->count[i], through)
-                                 : multiply(scene, found->at[i], found->count[i], through);
+        dim_by_solids(scene, around, rays, found, which, left);
+    for (; which; which &= which - 1) {
+        const uint32_t i = first_of64(which);
+
+        lit |= (uint64_t)is_left(left[i], &through[i]) << i;
+    }
+    return lit;
 }
 
 /* The ray with its direction to the segments' end in double-double. */
@@ -149,9 +131,9 @@ static uint64_t filter_plainly(const shading *scene, const occlusion *found, uin
 uint64_t transmittance_find(const shade_context *c, const pov_ray *const *rays, const path *const *from, uint32_t n,
                             segment_end end, colour *through)
 {
-    interior_walk w;
+    interior_walk around[BATCH_MAX];
     occlusion found;
-    uint64_t lit = query_occlusion(c->scene->world, c->context, rays, n, end.tmax, &found), rest;
+    uint64_t lit = query_occlusion(c->scene->world, c->context, rays, n, end.tmax, &found), blocked = 0;
 
     if (found.near_end)
         lit = find_exactly(c, rays, end, lit, &found);
@@ -159,16 +141,15 @@ uint64_t transmittance_find(const shade_context *c, const pov_ray *const *rays, 
         through[i] = colour_of(1.0f, 1.0f, 1.0f);
     if (!c->scene->plan->located && !c->scene->plan->textures && !c->blocks)
         return filter_plainly(c->scene, &found, lit, through);
-    for (rest = found.crossed; rest; rest &= rest - 1) {
+    for (uint64_t rest = found.crossed; rest; rest &= rest - 1) {
         const uint32_t i = first_of64(rest);
 
         if (c->scene->plan->located)
-            walk_begin(c, from[i], &w);
-        if ((c->blocks && photons_block(c, rays[i], found.at[i], found.count[i])) ||
-            !cross(c->scene, &w, rays[i], &found, i, &through[i]))
-            lit &= ~((uint64_t)1 << i);
+            walk_begin(c, from[i], &around[i]);
+        if (c->blocks && photons_block(c, rays[i], found.at[i], found.count[i]))
+            blocked |= (uint64_t)1 << i;
     }
-    return lit;
+    return (lit & ~found.crossed) | (lit & cross(c->scene, around, rays, &found, found.crossed & ~blocked, through));
 }
 
 uint64_t transmittance_find_lanes(const shade_context *c, const lane_rays *rays, uint32_t n, segment_end end)
@@ -184,7 +165,7 @@ uint64_t transmittance_find_lanes(const shade_context *c, const lane_rays *rays,
 bool transmittance_from(const shade_context *c, const coincident_set *on, const pov_ray *ray, const path *from,
                         segment_end end, colour *through)
 {
-    const pov_ray exact = aim_exactly(ray, end);
+    const pov_ray exact = aim_exactly(ray, end), *const rays = &exact;
     const bool walks = c->scene->plan->located;
     interior_walk w;
     occlusion found;
@@ -205,7 +186,7 @@ bool transmittance_from(const shade_context *c, const coincident_set *on, const 
     if (c->blocks && found.crossed && photons_block(c, ray, found.at[0], found.count[0]))
         return false;
     return !colour_is_black(*through) &&
-           (!found.crossed || cross(c->scene, &w, &exact, &found, 0, through));
+           (!found.crossed || cross(c->scene, &w, &rays, &found, 1, through) != 0);
 }
 
 /* What a light is projected through may be an object that is seen there as well. What lies this fraction of the segment's

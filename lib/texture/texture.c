@@ -2,7 +2,7 @@
 #include "texture/normal.h"
 #include "texture/points.h"
 
-#include "base/elementary.h"
+#include "base/powers.h"
 
 #include <math.h>
 
@@ -337,50 +337,83 @@ void texture_filters(const model *m, const texture *of, const texture_points *po
 
 /* ---- the focus of light that crosses the surface ---- */
 
-double texture_focus_of(pov_vec3 normal, pov_vec3 view, double power)
+SIMD_CLONES static void find_cosines(const vec_lanes *restrict normal, const vec_lanes *restrict view, uint32_t n, double *restrict out)
 {
-    const double cosine = fabs(pov_dot(normal, view));
+    for (uint32_t i = 0; i < n; i++) {
+        const double cosine = fabs(pov_dot(lanes_at(normal, i), lanes_at(view, i)));
 
-    return 1.0 + elementary_pow(cosine < 1.0 ? cosine : 1.0, power);
+        out[i] = cosine < 1.0 ? cosine : 1.0;
+    }
 }
 
-static double stack_focus(const model *m, const texture *of, const texture_points *points, const normal_blend *around, double power)
+void texture_focus_of(const vec_lanes *normal, const vec_lanes *view, const double *power, uint32_t n, double *out)
+{
+    find_cosines(normal, view, n, out);
+    powers_raise_each(power, n, out);
+    for (uint32_t i = 0; i < n; i++)
+        out[i] += 1.0;
+}
+
+static void find_stack_focus(const model *m, const texture *of, const texture_points *points, const part *p, const double *power, double *out)
 {
     uint32_t count;
     const texture *const *layers = layers_of(&of, &count);
-    double by = 1.0;
+    SIMD_ALIGNED double by[LANES_MAX];
     vec_lanes normal;
-    part one;
 
-    one.around = around;
-    one.n = 1;
+    for (uint32_t i = 0; i < p->n; i++)
+        out[i] = 1.0;
     for (uint32_t k = 0; k < count; k++) {
-        find_normals(m, layers[k], points, &one, &normal);
-        by *= texture_focus_of(lanes_at(&normal, 0), lanes_at(&points->view, 0), power);
+        find_normals(m, layers[k], points, p, &normal);
+        texture_focus_of(&normal, &points->view, power, p->n, by);
+        for (uint32_t i = 0; i < p->n; i++)
+            out[i] *= by[i];
     }
-    return by;
 }
 
-static double focus_within(const model *m, const texture *of, const texture_points *points, const normal_blend *around, double power)
+static void find_focus(const model *m, const texture *of, const texture_points *points, const part *p, const double *power, double *out);
+
+static void add_focus(const model *m, const texture *member, const texture_points *points, const part *p, const double *power, double *out)
 {
-    const normal_blend own = { of->pattern, around };
+    SIMD_ALIGNED double own[LANES_MAX], by[LANES_MAX];
+    texture_points picked;
+
+    points_pick(points, p->lane, p->n, &picked);
+    for (uint32_t i = 0; i < p->n; i++)
+        own[i] = power[p->lane[i]];
+    find_focus(m, member, &picked, p, own, by);
+    for (uint32_t i = 0; i < p->n; i++)
+        out[p->lane[i]] += (double)p->share[i] * by[i];
+}
+
+static void find_focus(const model *m, const texture *of, const texture_points *points, const part *p, const double *power, double *out)
+{
+    const normal_blend own = { of->pattern, p->around };
     texture_points inner;
-    double by = 0.0;
     blending b;
 
-    if (of->blend == BLEND_NONE || of->blend == BLEND_LAYERS)
-        return stack_focus(m, of, points, around, power);
-    find(m, of, points, 1, &inner, &b);
+    if (of->blend == BLEND_NONE || of->blend == BLEND_LAYERS) {
+        find_stack_focus(m, of, points, p, power, out);
+        return;
+    }
+    find(m, of, points, p->n, &inner, &b);
+    for (uint32_t i = 0; i < p->n; i++)
+        out[i] = 0.0;
     for (uint32_t k = 0; k < of->count; k++) {
         part member;
 
-        if (blend_lanes(&b, k, member.lane, member.share) != 0)
-            by += (double)member.share[0] * focus_within(m, of->textures[k], &inner, of->blend == BLEND_PARTS ? around : &own, power);
+        member.around = of->blend == BLEND_PARTS ? p->around : &own;
+        member.n = blend_lanes(&b, k, member.lane, member.share);
+        if (member.n > 0)
+            add_focus(m, of->textures[k], &inner, &member, power, out);
     }
-    return by;
 }
 
-double texture_focus(const model *m, const texture *of, const texture_points *points, double power)
+void texture_focus(const model *m, const texture *of, const texture_points *points, const double *power, uint32_t n, double *out)
 {
-    return focus_within(m, of, points, NULL, power);
+    part all;
+
+    all.around = NULL;
+    all.n = n;
+    find_focus(m, of, points, &all, power, out);
 }

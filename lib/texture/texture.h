@@ -54,10 +54,10 @@ bool texture_is_of_view(const texture *of);
 bool texture_is_of_world(const texture *of);
 /* Factors of light that crosses the surface. */
 void texture_filters(const model *m, const texture *of, const texture_points *points, uint32_t n, colour *out);
-/* The factor of light that the surface at the first point focuses (interior { caustics }): the product of those of all
- * layers; of their normals and the way of light, as a power of the cosine. */
-double texture_focus(const model *m, const texture *of, const texture_points *points, double power);
-double texture_focus_of(pov_vec3 normal, pov_vec3 view, double power);
+/* Factors of light that the surface focuses (interior { caustics }): the products of those of all layers; of their normals and
+ * the way of light, as a power of the cosine, by point. */
+void texture_focus(const model *m, const texture *of, const texture_points *points, const double *power, uint32_t n, double *out);
+void texture_focus_of(const vec_lanes *normal, const vec_lanes *view, const double *power, uint32_t n, double *out);
 /* Evaluate a pigment alone. */
 void pigment_eval(const model *m, const pigment_node *of, const texture_points *points, uint32_t n, pigment *out);
 

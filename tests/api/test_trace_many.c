@@ -71,6 +71,40 @@ static void many_are_as_single_ones(void **state)
     pov_context_destroy(context);
 }
 
+/* Each ray to the light crosses dozens of surfaces whose filters, foci and losses are found side by side. */
+static void light_through_glass_and_fog_is_that_of_single_rays(void **state)
+{
+    static const char glass[] =
+        "#version 3.7; camera { location <0, 1, -4> look_at 0 } light_source { <1, 9, -2> rgb 4 media_attenuation on }\n"
+        "light_source { <-3, 7, 1> rgb 2 } fog { distance 20 rgb .3 turbulence .2 } plane { y, -1.5 pigment { rgb 1 } hollow }\n"
+        "#declare T = texture { pigment { checker rgbt <1, .9, .8, .9> rgbf <.7, .9, 1, .9> scale .3 } normal { bumps .4 scale .2 } }\n"
+        "#declare K = 0; #while (K < 9)\n"
+        "box { <-9, 2 + K/2, -9>, <9, 2.2 + K/2, 9> hollow texture { T } interior { caustics .02*K fade_distance 3 fade_power mod(K, 3) } }\n"
+        "sphere { <K - 4, 1, 0>, .4 hollow texture { gradient x texture_map { [.3 T] [.7 pigment { rgbt .8 }] } scale .1 } interior { caustics 1 } }\n"
+        "sphere { <K - 4, 1, 1>, .3 pigment { rgbf <.9, .8, 1, .9> } interior { caustics .3 } }\n"
+        "#declare K = K + 1; #end\n";
+    static rays r;
+    static float rgba[4 * COUNT];
+    const pov_found out = { sizeof out, NULL, NULL, NULL, NULL, rgba, NULL };
+    pov_context *context = scenes_context();
+    pov_scene *scene = scenes_text(context, glass);
+    pov_tracer *tracer;
+
+    (void)state;
+    assert_int_equal(pov_tracer_create(&tracer, scene, NULL), POV_OK);
+    aim(scene, &r);
+    assert_int_equal(pov_trace_many(tracer, COUNT, r.org, r.dir, &out, NULL), POV_OK);
+    for (int i = 0; i < COUNT; i++) {
+        float seen[4] = { 0.0f, 0.0f, 0.0f, 1.0f };
+
+        pov_trace_color(tracer, r.org[i], r.dir[i], seen, NULL);
+        assert_memory_equal(seen, &rgba[4 * i], sizeof seen);
+    }
+    pov_tracer_destroy(tracer);
+    pov_scene_destroy(scene);
+    pov_context_destroy(context);
+}
+
 /* Surfaces that glow by their uv coordinates tell what these are. */
 static void uv_are_those_of_textures(void **state)
 {
@@ -134,6 +168,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(many_are_as_single_ones),
+        cmocka_unit_test(light_through_glass_and_fog_is_that_of_single_rays),
         cmocka_unit_test(uv_are_those_of_textures),
         cmocka_unit_test(what_is_not_asked_for_is_left_out),
     };
