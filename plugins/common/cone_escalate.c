@@ -211,13 +211,20 @@ static pov_two3 direction_of(const common_cone *s, const common_ray *k)
 }
 
 /* Does the slab certainly begin at the end of the interval, or behind it? So does what is within: nothing is reported, but that the end is
- * near. Lights often lie in the plane of a cap. */
-static bool begins_behind(const span *slab, double middle, double unit, pov_hits *hits)
+ * near. Lights often lie in the plane of a cap: the axis alone is looked at first. */
+static bool begins_behind(const common_cone *s, const common_ray *k, double middle, pov_hits *hits)
 {
-    const pov_two t = pov_two_add_double(slab->lo, middle);
-    const double gap = (hits->tmax - t.hi * unit) - t.lo * unit;
+    const pov_two dz = pov_two3_dot(s->row[2], common_direction(k));
+    double gap;
+    span slab;
+    pov_two t;
 
-    if (slab->empty || slab->from_ever || !(hits->slack > 0.0 && gap < 0.25 * hits->slack) || (hits->want != POV_WANT_ALL && hits->count > 0))
+    if (!(hits->slack > 0.0) || s->slender || fabs(dz.hi) < LEVEL || (hits->want != POV_WANT_ALL && hits->count > 0))
+        return false;
+    slab = slab_span(s, pov_two3_dot(s->row[2], common_along_two(k, middle)), dz);
+    t = pov_two_add_double(slab.lo, middle);
+    gap = (hits->tmax - t.hi * k->unit) - t.lo * k->unit;
+    if (slab.empty || slab.from_ever || !(gap < 0.25 * hits->slack))
         return false;
     hits->near_end = hits->near_end || fabs(gap) < hits->slack;
     return true;
@@ -225,20 +232,19 @@ static bool begins_behind(const span *slab, double middle, double unit, pov_hits
 
 void common_cone_escalate(const common_cone *s, const common_ray *k, const pov_ray *ray, double middle, pov_hits *hits)
 {
-    const pov_two3 d = direction_of(s, k);
-    const leaving leaves = ray->origin_surface == hits->owner ? leaving_of(s, k, d, ray->origin_mark.feature)
-        : NOT_LEAVING;
-    pov_two3 w = local_along(s, k, ray, middle);
+    const bool starts = ray->origin_surface == hits->owner;
     span side, slab, both;
+    leaving leaves;
     double further;
+    pov_two3 d, w;
     bool in, out;
 
     hits->escalated++;
-    if (!s->open && leaves == NOT_LEAVING && s->slope.hi == 0.0 && fabs(d.z.hi) >= LEVEL) {
-        slab = slab_span(s, w.z, d.z);
-        if (begins_behind(&slab, middle, k->unit, hits))
-            return;
-    }
+    if (!s->open && !starts && s->slope.hi == 0.0 && begins_behind(s, k, middle, hits))
+        return;
+    d = direction_of(s, k);
+    leaves = starts ? leaving_of(s, k, d, ray->origin_mark.feature) : NOT_LEAVING;
+    w = local_along(s, k, ray, middle);
     side = side_span(s, w, d);
     /* Recompute close to the apex, where all numbers are small; seen from further off they would be small
      * differences. */

@@ -213,7 +213,8 @@ void common_cone_intersect(const void *self, const pov_ray *ray, pov_hits *hits)
         if (certain && leaves == INWARD && hits->count_only && exits(s, &g, k.unit, hits))
             return;
     }
-    find_point(s, &k, middle, &g);
+    if (certain)
+        find_point(s, &k, middle, &g);
     if (!certain || !fast(s, &k, &g, leaves, middle, hits))
         common_cone_escalate(s, &k, ray, middle, hits);
 }
