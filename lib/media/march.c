@@ -97,19 +97,18 @@ static void fill_table(media_march *l, double given[3])
 /* The whole segment is one stratum. */
 static void fill_even_table(media_march *l, double given[3])
 {
-    const double middle = 0.5 * l->on.length;
     media_table *t = &l->table;
-    media_optics o;
+    media_channel o[3];
 
     t->strata.count = 1;
     t->strata.edge[0] = 0.0;
     t->strata.edge[1] = l->on.length;
-    media_set_at(l->model, l->set, &l->on, &middle, 1, NULL, &o);
+    media_set_even(l->model, l->set, NULL, o);
     t->reused = false;
     for (int c = 0; c < 3; c++) {
         t->depth[c][0] = 0.0;
-        given[c] = add_up(t->strata.edge, o.loss[c], o.emitted[c], 1, t->depth[c]);
-        t->scatter[c][0] = o.scatter[c][0];
+        given[c] = add_up(t->strata.edge, &o[c].loss, &o[c].emitted, 1, t->depth[c]);
+        t->scatter[c][0] = o[c].scatter;
     }
 }
 
@@ -128,20 +127,29 @@ static void make_table(media_march *l, uint32_t wanted, double given[3])
     }
 }
 
+/* What is left of light behind these depths, which are often alike. */
+static colour left_behind(const double depth[3])
+{
+    double through[3];
+
+    for (int c = 0; c < 3; c++)
+        through[c] = c > 0 && depth[c] == depth[c - 1] ? through[c - 1] : elementary_exp(-depth[c]);
+    return colour_of_double(through);
+}
+
 static void fill(media_march *l, uint32_t wanted)
 {
     const media_table *t = &l->table;
-    double given[3], through[3];
+    double given[3], whole[3];
 
     if (l->set->varies)
         make_table(l, wanted, given);
     else
         fill_even_table(l, given);
     for (int c = 0; c < 3; c++)
-        through[c] = c > 0 && t->depth[c][t->strata.count] == t->depth[c - 1][t->strata.count]
-                         ? through[c - 1] : elementary_exp(-t->depth[c][t->strata.count]);
+        whole[c] = t->depth[c][t->strata.count];
     l->given = colour_of_double(given);
-    l->through = colour_of_double(through);
+    l->through = left_behind(whole);
 }
 
 void media_march_begin(media_march *l)
@@ -149,16 +157,29 @@ void media_march_begin(media_march *l)
     fill(l, l->set->strata * DENSITIES_EACH > DENSITIES ? l->set->strata * DENSITIES_EACH : DENSITIES);
 }
 
+/* As fill_even_table() has it. */
+static colour even_transmittance(const model *m, const media_set *s, double length)
+{
+    media_channel of[3];
+    double depth[3];
+
+    media_set_even(m, s, NULL, of);
+    for (int c = 0; c < 3; c++)
+        depth[c] = of[c].loss * length;
+    return left_behind(depth);
+}
+
 colour media_transmittance(const model *m, const media_set *s, const media_segment *on)
 {
     media_march l;
 
+    if (!s->varies)
+        return even_transmittance(m, s, on->length);
     l.model = m;
     l.set = s;
     l.on = *on;
     l.scale = 0.0;
-    if (s->varies)
-        l.random = media_random_of(on);
+    l.random = media_random_of(on);
     fill(&l, DENSITIES_SHADOW);
     return l.through;
 }

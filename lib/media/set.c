@@ -59,11 +59,8 @@ static void find_density(const model *m, const medium *of, const texture_points 
     }
 }
 
-/* What one channel of light loses, is given, and what of it is scattered, by length. */
-typedef struct optics { double loss, emitted, scatter; } optics;
-
 /* Of one medium of density one. */
-static void find_optics(const medium *of, bool lit, optics out[3])
+static void find_optics(const medium *of, bool lit, media_channel out[3])
 {
     const float a[3] = { of->absorption.r, of->absorption.g, of->absorption.b };
     const float e[3] = { of->emission.r, of->emission.g, of->emission.b };
@@ -77,7 +74,7 @@ static void find_optics(const medium *of, bool lit, optics out[3])
 }
 
 static void add_channel(double *restrict loss, double *restrict emitted, double *restrict scatter, const double *restrict by,
-                        optics one, uint32_t n)
+                        media_channel one, uint32_t n)
 {
     for (uint32_t i = 0; i < n; i++) {
         loss[i] += by[i] * one.loss;
@@ -86,7 +83,7 @@ static void add_channel(double *restrict loss, double *restrict emitted, double 
     }
 }
 
-static void add(media_optics *o, const optics one[3], const density *d, uint32_t n)
+static void add(media_optics *o, const media_channel one[3], const density *d, uint32_t n)
 {
     for (int c = 0; c < 3; c++)
         add_channel(o->loss[c], o->emitted[c], o->scatter[c], d->by[c], one[c], n);
@@ -107,11 +104,12 @@ static void clear(media_optics *o, uint32_t n)
             o->loss[c][i] = o->emitted[c][i] = o->scatter[c][i] = 0.0;
 }
 
-/* Where no density varies, n lanes are alike. */
-static void set_even(const model *m, const media_set *s, const light *by, uint32_t n, media_optics *out)
+void media_set_even(const model *m, const media_set *s, const light *by, media_channel out[3])
 {
-    optics sum[3] = { { 0.0, 0.0, 0.0 }, { 0.0, 0.0, 0.0 }, { 0.0, 0.0, 0.0 } }, one[3];
+    media_channel one[3];
 
+    for (int c = 0; c < 3; c++)
+        out[c] = (media_channel){ 0.0, 0.0, 0.0 };
     for (uint32_t i = 0; i < s->count; i++) {
         const medium *of = s->of[i].medium;
         double dense[3] = { 1.0, 1.0, 1.0 };
@@ -123,11 +121,19 @@ static void set_even(const model *m, const media_set *s, const light *by, uint32
             dense[2] *= (double)of->densities[k]->most.color.b;
         }
         for (int c = 0; c < 3; c++) {
-            sum[c].loss += dense[c] * one[c].loss;
-            sum[c].emitted += dense[c] * one[c].emitted;
-            sum[c].scatter += dense[c] * one[c].scatter;
+            out[c].loss += dense[c] * one[c].loss;
+            out[c].emitted += dense[c] * one[c].emitted;
+            out[c].scatter += dense[c] * one[c].scatter;
         }
     }
+}
+
+/* Where no density varies, n lanes are alike. */
+static void set_even(const model *m, const media_set *s, const light *by, uint32_t n, media_optics *out)
+{
+    media_channel sum[3];
+
+    media_set_even(m, s, by, sum);
     for (int c = 0; c < 3; c++)
         for (uint32_t i = 0; i < n; i++) {
             out->loss[c][i] = sum[c].loss;
@@ -140,7 +146,7 @@ void media_set_at(const model *m, const media_set *s, const media_segment *on, c
                   const light *by, media_optics *out)
 {
     texture_points points;
-    optics one[3];
+    media_channel one[3];
     density d;
 
     if (!s->varies) {

@@ -30,6 +30,10 @@ void media_set_add(media_set *s, const media *m, uint32_t leaf);
 /* At points of the segment, n <= LANES_MAX. Light from `by` alone is scattered, as light groups have it; NULL: any. */
 void media_set_at(const model *m, const media_set *s, const media_segment *on, const double *at, uint32_t n,
                   const light *by, media_optics *out);
+/* What one channel of light loses, is given, and what of it is scattered, per unit of length. */
+typedef struct media_channel { double loss, emitted, scatter; } media_channel;
+/* The same where no density varies, and so at all points. */
+void media_set_even(const model *m, const media_set *s, const light *by, media_channel out[3]);
 /* Does any of them scatter this light? */
 bool media_set_scatters(const model *m, const media_set *s, const light *by);
 
