@@ -128,7 +128,7 @@ static void make_table(media_march *l, uint32_t wanted, double given[3])
 }
 
 /* What is left of light behind these depths, which are often alike. */
-static colour left_behind(const double depth[3])
+static colour left_at(const double depth[3])
 {
     double through[3];
 
@@ -149,7 +149,7 @@ static void fill(media_march *l, uint32_t wanted)
     for (int c = 0; c < 3; c++)
         whole[c] = t->depth[c][t->strata.count];
     l->given = colour_of_double(given);
-    l->through = left_behind(whole);
+    l->through = left_at(whole);
 }
 
 void media_march_begin(media_march *l)
@@ -166,7 +166,7 @@ static colour even_transmittance(const model *m, const media_set *s, double leng
     media_set_even(m, s, NULL, of);
     for (int c = 0; c < 3; c++)
         depth[c] = of[c].loss * length;
-    return left_behind(depth);
+    return left_at(depth);
 }
 
 colour media_transmittance(const model *m, const media_set *s, const media_segment *on)

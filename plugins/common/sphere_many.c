@@ -153,6 +153,23 @@ static uint32_t report_ends(const end_lanes *e, uint32_t lanes, const pov_ray *c
     return left;
 }
 
+/* Leave out rays that do not leave the sphere, or go into it, and certainly end before that end of its chord: the other one is behind
+ * their start, or farther still. So it is with light of lamps in a sphere that is a sky. */
+static uint32_t drop_short(const end_lanes *e, uint32_t lanes, const pov_ray *const *rays, pov_hits *const *hits)
+{
+    uint32_t left = 0;
+
+    for (; lanes; lanes &= lanes - 1) {
+        const uint32_t i = common_first_lane(lanes);
+        const pov_hits *h = hits[i];
+        const bool sound = e->error[i] >= 0.0 && !h->always_exact, starts = h->owner == rays[i]->origin_surface;
+
+        if (!(sound && e->lo[i] > h->tmax && (!starts || common_is_inward(rays[i], h))))
+            left |= 1u << i;
+    }
+    return left;
+}
+
 /* Lanes that a refinement step would settle: a search for any crossing needs none. */
 static uint32_t worth_a_step(const end_lanes *e, uint32_t lanes, const pov_ray *const *rays, pov_hits *const *hits)
 {
@@ -181,7 +198,7 @@ static void intersect_lanes(const void *const *selves, const pov_ray *const *ray
         lanes.tmin[i] = common_is_inward(rays[j], hits[j]) ? HUGE_VAL : hits[j]->tmin;
     }
     find_ends(&lanes, &end);
-    left = report_ends(&end, (1u << n) - 1, rays, hits);
+    left = drop_short(&end, report_ends(&end, (1u << n) - 1, rays, hits), rays, hits);
     worth = worth_a_step(&end, left, rays, hits);
     if (worth) {
         refine_ends(&lanes, &end);
