@@ -67,6 +67,12 @@ static inline bool common_is_fine(const common_root *r, double fine)
     return r->error <= COMMON_ULPS * COMMON_U * fabs(r->t.hi) && r->error <= fine;
 }
 
+/* Is it certainly so near the end of the interval that the host decides? More precision would change nothing. */
+static inline bool common_is_at_end(const common_root *r, double unit, const pov_hits *hits)
+{
+    return hits->slack > 0.0 && fabs(hits->tmax - r->t.hi * unit) + common_slack(r) * unit < 0.5 * hits->slack;
+}
+
 /* NaN anywhere gives COMMON_OPEN. */
 static inline common_verdict common_judge(const common_root *r, double unit, double fine, const pov_hits *hits)
 {
@@ -77,7 +83,7 @@ static inline common_verdict common_judge(const common_root *r, double unit, dou
     /* A query for any crossing, or for their number, needs existence only. */
     if ((hits->want == POV_WANT_ANY || hits->count_only) && (r->t.hi - slack) * unit > hits->tmin && (r->t.hi + slack) * unit < hits->tmax)
         return COMMON_GOOD;
-    return common_is_fine(r, fine) ? COMMON_GOOD : COMMON_OPEN;
+    return common_is_fine(r, fine) || common_is_at_end(r, unit, hits) ? COMMON_GOOD : COMMON_OPEN;
 }
 
 /* A Newton step, and the root's error afterwards: the squared error over the distance of the roots, plus the residual's
