@@ -8,7 +8,7 @@
 #include <string.h>
 
 /* Higher orders would take too long; cells get as small as 2^-DEPTH of a box of powers of two. */
-enum { ORDER_MOST = 6, MANY = ORDER_MOST + 1, FACE = 12, DEPTH = 6 };
+enum { ORDER_MOST = 6, MANY = ORDER_MOST + 1, FACE = 12, DEPTH = 6, TURNS = 4 };
 
 /* Coefficients of x^i y^j z^k, or Bernstein coefficients in a box, all powers up to the order: z changes first. */
 typedef struct tensor { double at[MANY * MANY * MANY]; } tensor;
@@ -114,15 +114,16 @@ static double least_of(const double *at, int count)
     return least;
 }
 
-/* Bernstein coefficients in the box from -reach to reach. */
-static void find_bernstein(tensor *t, int n, const double reach[3])
+/* Bernstein coefficients in a box. */
+static void find_bernstein(tensor *t, int n, const pov_box *in)
 {
     const int row = n + 1, steps[3] = { row * row, row, 1 };
+    const double lo[3] = { in->lo.x, in->lo.y, in->lo.z }, hi[3] = { in->hi.x, in->hi.y, in->hi.z };
 
     for (int axis = 2; axis >= 0; axis--) {
         double map[MANY][MANY];
 
-        find_map(n, -reach[axis], reach[axis], map);
+        find_map(n, lo[axis], hi[axis], map);
         for (int from = 0; from < row * row * row; from += row * steps[axis])
             for (int i = from; i < from + steps[axis]; i++)
                 apply(n, map, t->at + i, t->at + i, steps[axis]);
@@ -263,6 +264,27 @@ static void find_cells(hunt *h, tensor *t, const pov_box *box, int depth)
     find_cells(h, t, &part, depth + 1);
 }
 
+/* The box of the cells of another one. False: there are none. */
+static bool find_within(hunt *h, const common_polynomial *p, const pov_box *box)
+{
+    const pov_box none = { { HUGE_VAL, HUGE_VAL, HUGE_VAL }, { -HUGE_VAL, -HUGE_VAL, -HUGE_VAL } };
+    tensor t;
+
+    h->found = none;
+    take_all(p, &t);
+    find_bernstein(&t, p->order, box);
+    find_cells(h, &t, box, 0);
+    return h->found.lo.x < h->found.hi.x;
+}
+
+/* Is one eighth of it as wide as what was found, or wider? Cells were large then. */
+static bool is_coarse(const pov_box *box, const pov_box *found)
+{
+    const pov_vec3 all = pov_sub(box->hi, box->lo), part = pov_scale(pov_sub(found->hi, found->lo), 8.0);
+
+    return part.x <= all.x || part.y <= all.y || part.z <= all.z;
+}
+
 static double noise_at(const common_polynomial *p, const weights *w, double reach)
 {
     double sum = 0.0, power = 1.0;
@@ -279,11 +301,10 @@ bool common_polynomial_find_box(const common_polynomial *p, pov_box *out)
     weights w;
     const bool may = p->order % 2 == 0 && p->order <= ORDER_MOST && find_weights(p, &w) && !has_more(p, &w);
     const double reach = may ? find_reach(p, &w) : 0.0;
-    hunt h = { p->order, 0.0, { { HUGE_VAL, HUGE_VAL, HUGE_VAL }, { -HUGE_VAL, -HUGE_VAL, -HUGE_VAL } } };
+    hunt h = { .order = p->order };
     double of[3];
     pov_vec3 all, margin;
     pov_box box;
-    tensor t;
 
     if (reach == 0.0)
         return false;
@@ -296,11 +317,13 @@ bool common_polynomial_find_box(const common_polynomial *p, pov_box *out)
     box.lo = pov_scale(all, -1.0);
     box.hi = all;
     h.noise = noise_at(p, &w, reach);
-    take_all(p, &t);
-    find_bernstein(&t, p->order, of);
-    find_cells(&h, &t, &box, 0);
-    if (!(h.found.lo.x < h.found.hi.x))
+    if (!find_within(&h, p, &box))
         return false;
+    for (int turn = 0; turn < TURNS && is_coarse(&box, &h.found); turn++) {
+        box = h.found;
+        if (!find_within(&h, p, &box))
+            return false;
+    }
     margin = pov_scale(all, 0x1p-20);
     out->lo = pov_sub(h.found.lo, margin);
     out->hi = pov_add(h.found.hi, margin);
