@@ -1,13 +1,17 @@
-/* The first roots of eight polynomials side by side, by the arithmetic of bernstein.c: of each the part of its interval that holds the
- * first root is halved. Where that root turns out to be in a part that was left behind, the lane is left open. */
+/* The first roots of eight polynomials side by side, by the arithmetic of bernstein.c: of each the part of its interval that may hold the
+ * first root is halved. Where it turns out to hold none, the lane goes back to the last part that was left behind. */
 #include "common/bernstein.h"
 #include "common/simd.h"
 
 enum { N = COMMON_BERNSTEINS, MOST = COMMON_BERNSTEINS_DEGREE, HALVINGS = 8, TURNS = 80 };
 typedef common_by_bernstein lane;
 
-/* The part that is still to be decided; the least size of the coefficients that decided so far, where that is asked. */
-typedef struct parts { lane b[MOST + 1], lo, hi, going, least; } parts;
+/* The part that is still to be decided; the least size of the coefficients that decided so far, where that is asked. none: above 0 where the
+ * last halving left nothing to be decided. */
+typedef struct parts { lane b[MOST + 1], lo, hi, going, least, none; } parts;
+
+/* The right halves of one turn, and how many sign changes those have that were left behind. */
+typedef struct halves { lane b[MOST + 1], lo, hi, changes; } halves;
 
 /* Coefficients of a part of one lane. */
 typedef struct part { double b[MOST + 1]; } part;
@@ -64,11 +68,12 @@ COMMON_INLINE void begin(const common_bernsteins *of, int degree, bool certain, 
 }
 
 /* Looks at both halves of a lane's part. */
-COMMON_INLINE void advance(const common_bernsteins *of, int degree, bool certain, uint32_t i, parts *w, common_first_of_bernsteins *out)
+COMMON_INLINE void advance(const common_bernsteins *of, int degree, bool certain, uint32_t i, parts *w, halves *behind,
+                           common_first_of_bernsteins *out)
 {
     const double lo = w->lo[i], hi = w->hi[i], middle = 0.5 * (lo + hi), noise = of->noise[i], going = w->going[i];
-    const double found = out->found[i], open = out->open[i], more = out->more[i];
-    double left, right, here, one, none;
+    const double found = out->found[i], more = out->more[i];
+    double left, right, here, one;
     part p, a, b;
 
     COMMON_UNROLLED for (int k = 0; k <= degree; k++)
@@ -78,17 +83,45 @@ COMMON_INLINE void advance(const common_bernsteins *of, int degree, bool certain
     right = changes_of(&b, degree, noise);
     here = left > 0.0 ? left : right;
     one = here == 1.0 ? going : 0.0;
-    none = here > 0.0 ? 0.0 : going;
-    COMMON_UNROLLED for (int k = 0; k <= degree; k++)
+    COMMON_UNROLLED for (int k = 0; k <= degree; k++) {
         w->b[k][i] = going > 0.0 ? left > 0.0 ? a.b[k] : b.b[k] : p.b[k];
+        behind->b[k][i] = b.b[k];
+    }
+    behind->lo[i] = middle;
+    behind->hi[i] = hi;
+    behind->changes[i] = left > 0.0 ? going * right : 0.0;
     w->lo[i] = going > 0.0 ? left > 0.0 ? lo : middle : lo;
     w->hi[i] = going > 0.0 ? left > 0.0 ? middle : hi : hi;
     w->going[i] = here > 1.0 ? going : 0.0;
+    w->none[i] = here > 0.0 ? 0.0 : going;
     if (certain)
         w->least[i] = going > 0.0 ? least_of(&b, degree, least_of(&a, degree, w->least[i])) : w->least[i];
     out->found[i] = found + one;
-    out->open[i] = open + none * more;
     out->more[i] = left > 0.0 ? more + going * right : more;
+}
+
+/* What was left behind last lies before all else that was. */
+static void go_back(int degree, uint32_t i, parts *w, halves *behind, int turn, common_first_of_bernsteins *out)
+{
+    while (turn >= 0 && !(behind[turn].changes[i] > 0.0))
+        turn--;
+    if (turn < 0)
+        return;
+    for (int k = 0; k <= degree; k++)
+        w->b[k][i] = behind[turn].b[k][i];
+    w->lo[i] = behind[turn].lo[i];
+    w->hi[i] = behind[turn].hi[i];
+    w->going[i] = behind[turn].changes[i] > 1.0 ? 1.0 : 0.0;
+    out->found[i] = behind[turn].changes[i] == 1.0 ? 1.0 : 0.0;
+    out->more[i] -= behind[turn].changes[i];
+    behind[turn].changes[i] = 0.0;
+}
+
+static void go_back_some(int degree, parts *w, halves *behind, int turn, common_first_of_bernsteins *out)
+{
+    for (uint32_t i = 0; i < N; i++)
+        if (w->none[i] > 0.0 && out->more[i] > 0.0)
+            go_back(degree, i, w, behind, turn, out);
 }
 
 /* Where the line between the values at the ends crosses zero; how the curve goes there. A first root that is not beyond leaves others. */
@@ -169,10 +202,11 @@ COMMON_INLINE bool is_any(const double *flags)
         for (uint32_t i = 0; i < N; i++)                                                                                              \
             begin(of, d, certain, i, w, out);                                                                                         \
     }                                                                                                                                 \
-    COMMON_SEPARATE static void advance_##name(const common_bernsteins *restrict of, parts *restrict w, common_first_of_bernsteins *restrict out)\
+    COMMON_SEPARATE static void advance_##name(const common_bernsteins *restrict of, parts *restrict w, halves *restrict behind,     \
+                                          common_first_of_bernsteins *restrict out)                                                   \
     {                                                                                                                                 \
         COMMON_LOOP for (uint32_t i = 0; i < N; i++)                                                                                  \
-            advance(of, d, certain, i, w, out);                                                                                       \
+            advance(of, d, certain, i, w, behind, out);                                                                               \
     }                                                                                                                                 \
     COMMON_SEPARATE static void place_##name(const common_bernsteins *restrict of, const parts *restrict w,                           \
                                         common_first_of_bernsteins *restrict out, polishing *restrict p)                              \
@@ -187,12 +221,16 @@ COMMON_INLINE bool is_any(const double *flags)
     }                                                                                                                                 \
     static void first_##name(const common_bernsteins *of, common_first_of_bernsteins *out)                                            \
     {                                                                                                                                 \
+        halves behind[HALVINGS];                                                                                                      \
         polishing p;                                                                                                                  \
         parts w;                                                                                                                      \
                                                                                                                                       \
         begin_##name(of, &w, out);                                                                                                    \
-        for (int turn = 0; turn < HALVINGS && is_any(w.going); turn++)                                                                \
-            advance_##name(of, &w, out);                                                                                              \
+        for (int turn = 0; turn < HALVINGS && is_any(w.going); turn++) {                                                              \
+            advance_##name(of, &w, &behind[turn], out);                                                                               \
+            if (is_any(w.none))                                                                                                       \
+                go_back_some(d, &w, behind, turn, out);                                                                               \
+        }                                                                                                                             \
         for (uint32_t i = 0; i < N; i++)                                                                                              \
             out->open[i] = w.going[i] > 0.0 || (certain && !(w.least[i] > of->noise[i])) ? 1.0 : out->open[i];                        \
         if (!is_any(out->found))                                                                                                      \

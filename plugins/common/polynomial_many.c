@@ -79,8 +79,9 @@ COMMON_INLINE double is_one_side(const double *b, int order, double noise)
     return least > noise ? 1.0 : most < -noise ? 1.0 : 0.0;
 }
 
+/* beyond: of rays ahead, what lies there. */
 COMMON_INLINE void find_along(const common_polynomial *p, int order, where in, bool leaves, const common_rays *l, uint32_t i, stretches *io,
-                              common_bernsteins *out)
+                              common_bernsteins *out, common_bernsteins *beyond)
 {
     static const pov_two3 zero = { { 0.0, 0.0 }, { 0.0, 0.0 }, { 0.0, 0.0 } };
     const pov_ray ray = common_get_ray(l, i);
@@ -107,6 +108,8 @@ COMMON_INLINE void find_along(const common_polynomial *p, int order, where in, b
             far[j] = a[degree - j];
         find_bernstein(far, degree);
         io->empty[i] = is_one_side(far, degree, noise);
+        COMMON_UNROLLED for (int j = 0; j <= degree; j++)
+            beyond->b[j][i] = far[j];
     }
     find_bernstein(a, degree);
     COMMON_UNROLLED for (int j = 0; j <= degree; j++)
@@ -141,9 +144,13 @@ COMMON_INLINE double is_root_good(const common_polynomial *p, int order, const c
 {
     const pov_two at = pov_two_sum(root->base, root->t);
     const pov_vec3 point = common_polynomial_point(k, at);
-    const double reach = pov_largest(point) + common_far_slack(k), sizes = size_at(p->size, order, reach);
+    const double far = common_far_slack(k), reach = pov_largest(point) + far, sizes = size_at(p->size, order, reach);
+    const double value = common_dense_at(p->at, order, point).value, step = common_polynomial_allowed(p, at.hi, reach);
+    const pov_vec3 wide = pov_vec3_of(fabs(point.x) + far, fabs(point.y) + far, fabs(point.z) + far);
+    const double first = common_polynomial_trust(p, root, value, sizes, step);
+    const double second = common_polynomial_trust(p, root, value, common_dense_size(p->at, order, wide), step);
 
-    return common_polynomial_trust(p, root, common_dense_at(p->at, order, point).value, sizes, common_polynomial_allowed(p, at.hi, reach));
+    return first > 0.0 ? first : second;
 }
 
 /* The distance, from the base, of a root. */
@@ -195,10 +202,10 @@ COMMON_INLINE double find_normal(const common_polynomial *p, int order, const co
 /* Functions an order, whose loops are unrolled. leaves: rays start on the surface, and that root is divided out. */
 #define FIND_ALONG(name, n, in, leaves)                                                                                                    \
     COMMON_SEPARATE static void name(const common_polynomial *p, const common_rays *restrict l, stretches *restrict io,                    \
-                                     common_bernsteins *restrict out)                                                                      \
+                                     common_bernsteins *restrict out, common_bernsteins *restrict beyond)                                  \
     {                                                                                                                                      \
         for (uint32_t i = 0; i < N; i++)                                                                                                   \
-            find_along(p, n, in, leaves, l, i, io, out);                                                                                   \
+            find_along(p, n, in, leaves, l, i, io, out, beyond);                                                                           \
     }
 
 #define FIND_GOOD(name, n, leaves)                                                                                                         \
@@ -271,14 +278,14 @@ static bool is_enough(const stretches *s, uint32_t i, double x, const pov_hits *
     return hits->want == POV_WANT_ANY && at - off > hits->tmin && at + off + hits->slack < hits->tmax;
 }
 
-static void find_stretches(const asked *k, const common_rays *l, stretches *io, common_bernsteins *out)
+static void find_stretches(const asked *k, const common_rays *l, stretches *io, common_bernsteins *out, common_bernsteins *beyond)
 {
     if (k->leaves)
-        (k->in == BOXED ? leave_boxed_4 : k->in == AHEAD ? leave_ahead_4 : leave_between_4)(k->p, l, io, out);
+        (k->in == BOXED ? leave_boxed_4 : k->in == AHEAD ? leave_ahead_4 : leave_between_4)(k->p, l, io, out, beyond);
     else if (k->p->order == 3)
-        (k->in == BOXED ? find_boxed_3 : k->in == AHEAD ? find_ahead_3 : find_between_3)(k->p, l, io, out);
+        (k->in == BOXED ? find_boxed_3 : k->in == AHEAD ? find_ahead_3 : find_between_3)(k->p, l, io, out, beyond);
     else
-        (k->in == BOXED ? find_boxed_4 : k->in == AHEAD ? find_ahead_4 : find_between_4)(k->p, l, io, out);
+        (k->in == BOXED ? find_boxed_4 : k->in == AHEAD ? find_ahead_4 : find_between_4)(k->p, l, io, out, beyond);
 }
 
 static void find_good(const asked *k, const common_rays *l, const stretches *s, const common_bernsteins *all, const double *x, double *t,
@@ -304,10 +311,33 @@ static bool is_all(const stretches *s, where in, uint32_t i, const pov_hits *hit
     return in != AHEAD || s->empty[i] > 0.0 || s->length[i] * s->unit[i] * (1.0 - 0x1p-40) > hits->tmax + hits->slack;
 }
 
+/* Where nothing is on the stretch of a ray ahead: is there certainly nothing beyond it? */
+static void look_beyond(const asked *k, const common_first_of_bernsteins *first, const common_bernsteins *all, common_bernsteins *beyond,
+                        stretches *io)
+{
+    const int degree = k->p->order - k->leaves;
+    common_first_of_bernsteins found;
+    common_lane asks;
+
+    for (uint32_t i = 0; i < N; i++) {
+        asks[i] = first->found[i] + first->open[i] > 0.0 || i >= k->n || is_all(io, k->in, i, k->hits[i]) ? 0.0 : 1.0;
+        for (int j = 0; j <= degree && !(asks[i] > 0.0); j++)
+            beyond->b[j][i] = 1.0;
+        beyond->noise[i] = asks[i] > 0.0 ? all->noise[i] : 0.0;
+        beyond->beyond[i] = -HUGE_VAL;
+        beyond->within[i] = HUGE_VAL;
+    }
+    if (!is_any(asks))
+        return;
+    common_bernstein_certain_many(beyond, degree, &found);
+    for (uint32_t i = 0; i < N; i++)
+        io->empty[i] = asks[i] > 0.0 && !(found.found[i] + found.open[i] > 0.0) ? 1.0 : io->empty[i];
+}
+
 static void intersect_some(const asked *k)
 {
     common_first_of_bernsteins first;
-    common_bernsteins all;
+    common_bernsteins all, beyond;
     common_rays lanes;
     common_lane good, t;
     stretches s;
@@ -320,8 +350,10 @@ static void intersect_some(const asked *k)
         s.tmin[i] = h->tmin;
         s.tmax[i] = h->tmax;
     }
-    find_stretches(k, &lanes, &s, &all);
+    find_stretches(k, &lanes, &s, &all, &beyond);
     common_bernstein_certain_many(&all, k->p->order - k->leaves, &first);
+    if (k->in == AHEAD)
+        look_beyond(k, &first, &all, &beyond, &s);
     if (is_any(first.found))
         find_good(k, &lanes, &s, &all, first.root, t, good);
     for (uint32_t i = 0; i < k->n; i++) {
