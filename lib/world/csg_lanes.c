@@ -217,25 +217,47 @@ SIMD_INLINE double nearest(double in, double out, double start)
     return lesser(fabs(in - out), lesser(fabs(in - start), fabs(out - start)));
 }
 
-/* Of a ray that starts on a column's surface, the crossing there is behind. Returns how near other crossings are; 0: it is open. */
-SIMD_RARE static double leave_by_name(const csg_tree *t, const pov_ray *ray, uint32_t i, near_rays *io)
+SIMD_INLINE void find_nearest(uint32_t columns, const near_rays *restrict of, double *restrict least)
 {
-    const uint32_t c = column_of(t, ray->origin_surface);
-    const double start = io->of[START][i];
-    double least = HUGE_VAL;
-    bool enters, leaves;
+    SIMD_LOOP for (uint32_t i = 0; i < TOGETHER; i++)
+        least[i] = HUGE_VAL;
+    for (uint32_t c = 0; c < columns; c++)
+        SIMD_LOOP for (uint32_t i = 0; i < TOGETHER; i++)
+            least[i] = lesser(nearest(of->in[c][i], of->out[c][i], of->of[START][i]), least[i]);
+}
 
-    if (c == CSG_COLUMNS)
-        return 0.0;
-    enters = fabs(io->in[c][i] - start) <= margin;
-    leaves = fabs(io->out[c][i] - start) <= margin;
-    if (enters == leaves || io->in[c][i] > io->out[c][i])
-        return 0.0;
-    io->in[c][i] = enters ? -HUGE_VAL : HUGE_VAL;
-    io->out[c][i] = enters ? io->out[c][i] : -HUGE_VAL;
-    for (uint32_t k = 0; k < t->outline->count; k++)
-        least = lesser(nearest(io->in[k][i], io->out[k][i], start), least);
-    return least;
+/* Of rays that start on a column's surface, the crossing there is behind; where it is not known which one that is all is open. */
+SIMD_INLINE void leave_column(uint32_t c, const double *restrict from, near_rays *restrict io)
+{
+    SIMD_LOOP for (uint32_t i = 0; i < TOGETHER; i++) {
+        const double in = io->in[c][i], out = io->out[c][i], start = io->of[START][i], open = io->of[OPEN][i];
+        const double enters = fabs(in - start) <= margin ? 1.0 : 0.0, leaves = fabs(out - start) <= margin ? 1.0 : 0.0;
+        const double one = in > out ? 0.0 : enters != leaves ? 1.0 : 0.0, mine = from[i] == c ? 1.0 : 0.0, moves = mine * one;
+
+        io->in[c][i] = moves > 0.0 ? enters > 0.0 ? -HUGE_VAL : HUGE_VAL : in;
+        io->out[c][i] = moves * leaves > 0.0 ? -HUGE_VAL : out;
+        io->of[OPEN][i] = mine > moves ? 1.0 : open;
+    }
+}
+
+/* Where crossings are near the start, or near each other, all is open but for those of the surface that the ray starts on. */
+SIMD_CLONES SIMD_NOINLINE static void leave_by_name(const csg_tree *t, const pov_rays *restrict rays, const double *restrict least,
+                                                    near_rays *restrict io)
+{
+    SIMD_ALIGNED lane from, left;
+    uint32_t columns = 0;
+
+    for (uint32_t i = 0; i < TOGETHER; i++) {
+        const uint32_t c = least[i] > margin ? CSG_COLUMNS : column_of(t, rays->rays[io->ray[i]]->origin_surface);
+
+        from[i] = c;
+        columns |= 1u << c;
+    }
+    for (columns &= (1u << CSG_COLUMNS) - 1; columns; columns &= columns - 1)
+        leave_column(first_of(columns), from, io);
+    find_nearest(t->outline->count, io, left);
+    SIMD_LOOP for (uint32_t i = 0; i < TOGETHER; i++)
+        io->of[OPEN][i] = left[i] > margin ? io->of[OPEN][i] : 1.0;
 }
 
 /* Crossings near the start, or ends of an interval that are near each other, leave all open. Behind this rays start within a column,
@@ -244,16 +266,9 @@ SIMD_INLINE void check_near(const csg_tree *t, const pov_rays *restrict rays, ne
 {
     SIMD_ALIGNED lane least;
 
-    SIMD_LOOP for (uint32_t i = 0; i < TOGETHER; i++)
-        least[i] = HUGE_VAL;
-    for (uint32_t c = 0; c < t->outline->count; c++)
-        SIMD_LOOP for (uint32_t i = 0; i < TOGETHER; i++)
-            least[i] = lesser(nearest(io->in[c][i], io->out[c][i], io->of[START][i]), least[i]);
-    if (smallest(least) > margin)
-        return;
-    for (uint32_t i = 0; i < TOGETHER; i++)
-        if (!(least[i] > margin) && !(leave_by_name(t, rays->rays[io->ray[i]], i, io) > margin))
-            io->of[OPEN][i] = 1.0;
+    find_nearest(t->outline->count, io, least);
+    if (!(smallest(least) > margin))
+        leave_by_name(t, rays, least, io);
 }
 
 /* Beyond the hollows that rays are certainly in, one after the other, until none moves any ray: each does so at most once. Ends of

@@ -9,6 +9,8 @@
 static const double box_slack = 0x1p-48;
 /* Slopes against a half-space are off by less. */
 static const double certain = 0x1p-40;
+/* What counts for infinite members begins so much before their boxes. */
+static const double beside = 0x1p-40;
 
 /* ---- memory ---- */
 
@@ -304,6 +306,29 @@ static bool ends_inside(const csg_traversal *w, const csg_member *m, uint32_t fi
     return csg_member_holds(w, m, 2.0 * t);
 }
 
+/* The part of the ray that counts for an infinite member. */
+typedef struct stretch { double from, to; } stretch;
+
+/* Is the ray inside where a stretch begins? Tested in the middle of the widest gap between crossings. */
+static bool begins_inside(const csg_traversal *w, const csg_member *m, uint32_t first, const stretch *in)
+{
+    const uint32_t count = w->found.count;
+    double at = 0.0, widest = -1.0, before = in->from;
+    bool odd = false;
+
+    for (uint32_t i = first; i <= count; i++) {
+        const double next = i < count ? w->found.at[i].t : in->to;
+
+        if (next - before > widest) {
+            widest = next - before;
+            at = before + 0.5 * widest;
+            odd = (i - first) & 1;
+        }
+        before = next;
+    }
+    return csg_member_holds(w, m, at) != odd;
+}
+
 static bool comes_before(const pov_crossing *a, const pov_crossing *b)
 {
     if (a->t != b->t)
@@ -336,27 +361,52 @@ static uint32_t name_of(const csg_traversal *w, const csg_member *m)
                                                                                     : w->scratch->names + m->leaf;
 }
 
+static void count(const csg_traversal *w, const csg_member *m, uint32_t escalated)
+{
+    class_counts *classes = w->scratch->classes;
+
+    if (classes) {
+        classes->of[m->class_number].asked++;
+        classes->of[m->class_number].escalated += escalated;
+    }
+}
+
 void csg_intersect_member(const csg_traversal *w, const csg_member *m, pov_hits *found)
 {
     const uint32_t escalated = found->escalated;
-    class_counts *classes = w->scratch->classes;
 
     if (m->xform)
         instance_intersect(m->xform, m->shape, m->instance, w->ray, found);
     else
         m->shape->intersect(m->instance, w->ray, found);
-    if (classes) {
-        classes->of[m->class_number].asked++;
-        classes->of[m->class_number].escalated += found->escalated - escalated;
-    }
+    count(w, m, found->escalated - escalated);
 }
 
-static void intersect(csg_traversal *w, const csg_member *m)
+/* Of an infinite member between two distances. */
+static void intersect_between(const csg_traversal *w, const csg_member *m, const stretch *in, pov_hits *found)
+{
+    const uint32_t escalated = found->escalated;
+    pov_ray own;
+
+    found->tmin = in->from;
+    found->tmax = in->to;
+    if (m->xform)
+        instance_ray(m->xform, w->ray, &own);
+    m->shape->intersect_between(m->instance, m->xform ? &own : w->ray, found);
+    found->tmin = 0.0;
+    found->tmax = HUGE_VAL;
+    count(w, m, found->escalated - escalated);
+}
+
+static void intersect(csg_traversal *w, const csg_member *m, const stretch *in)
 {
     const uint32_t first = w->found.count;
 
     w->found.owner = name_of(w, m);
-    csg_intersect_member(w, m, &w->found);
+    if (in)
+        intersect_between(w, m, in, &w->found);
+    else
+        csg_intersect_member(w, m, &w->found);
     for (uint32_t i = first; i < w->found.count; i++)
         w->found.at[i].owner = w->scratch->names + m->leaf;
 }
@@ -364,8 +414,8 @@ static void intersect(csg_traversal *w, const csg_member *m)
 /* Of clips with gaps nothing counts but what is inside where others are crossed.
  *
  * All crossings of a member ahead; the parity of their number tells whether the ray starts inside it. cut: its crossing,
- * of a half-space that the tree is within; or NULL. */
-static void test_member(csg_traversal *w, uint32_t member, const cut_crossing *cut)
+ * of a half-space that the tree is within; or NULL. in: crossings between two distances alone, and whether the first one is inside; or NULL. */
+static void test_member(csg_traversal *w, uint32_t member, const cut_crossing *cut, const stretch *in)
 {
     const csg_member *m = &w->tree->members[member];
     const uint32_t first = w->found.count;
@@ -374,10 +424,10 @@ static void test_member(csg_traversal *w, uint32_t member, const cut_crossing *c
     w->scratch->asked[w->asked_count++] = member;
     if (m->open && m->hidden && !w->whole)
         return;
-    intersect(w, m);
+    intersect(w, m, in);
     drop_behind(w, first);
-    inside = !m->patch && !m->open && (w->found.count - first) & 1;
-    if (!m->boxed && !m->patch && !m->open)
+    inside = !m->patch && !m->open && (in ? begins_inside(w, m, first, in) : (w->found.count - first) & 1);
+    if (!in && !m->boxed && !m->patch && !m->open)
         inside = inside != (cut && fabs(cut->slope) > certain * w->dir ? (cut->slope < 0.0) != m->inverse : ends_inside(w, m, first));
     w->missed = w->missed || (m->needed && !m->open && !inside && w->found.count == first);
     if (inside)
@@ -408,7 +458,7 @@ static void test_cuts(csg_traversal *w)
         if (at.slope < 0.0 ? at.t + at.off < enter : at.slope > 0.0 && at.t - at.off > leave)
             hold(w, t->cuts[i].member);
         else
-            test_member(w, t->cuts[i].member, &at);
+            test_member(w, t->cuts[i].member, &at, NULL);
     }
 }
 
@@ -419,10 +469,15 @@ static void test_endless(csg_traversal *w, bool open, double end)
 
     for (uint32_t i = 0; i < t->endless_count && !w->missed; i++) {
         const csg_endless *of = &t->endless[i];
-        double enter, leave = end;
+        const csg_member *m = &t->members[of->member];
+        double enter = w->enter, leave = end;
 
-        if (t->members[of->member].open == open && (!of->boxed || hits_box(w, &of->box, &enter, &leave)))
-            test_member(w, of->member, NULL);
+        if (m->open == open && (!of->boxed || hits_box(w, &of->box, &enter, &leave))) {
+            const stretch in = { enter * (1.0 - beside), leave * (1.0 + beside) };
+            const bool is_part = t->boxed && !m->open && !m->patch && m->shape->intersect_between && in.to < HUGE_VAL;
+
+            test_member(w, of->member, NULL, is_part ? &in : NULL);
+        }
     }
 }
 
@@ -498,7 +553,7 @@ void csg_test_ahead(csg_traversal *w)
         which = pop(w);
         b = &w->tree->bounds[which];
         if (b->other == 0) {
-            test_member(w, b->member, NULL);
+            test_member(w, b->member, NULL, NULL);
         } else {
             push(w, which + 1);
             push(w, b->other);

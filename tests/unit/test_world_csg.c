@@ -914,6 +914,48 @@ static void members_of_parts_elsewhere_are_not_asked(void **state)
     end(&s);
 }
 
+static int face_between_asked;
+
+static void face_between(const void *self, const pov_ray *ray, pov_hits *hits)
+{
+    assert_true(hits->tmin >= 0.0 && hits->tmax < 100.0);
+    face_between_asked++;
+    face_intersect(self, ray, hits);
+}
+
+/* Infinite members that can are asked for what lies within the tree's box alone, which leaves the tree as it is. */
+static void infinite_members_are_asked_within_the_box(void **state)
+{
+    shape_class face[] = { face_class(), face_class() };
+    test_random r = { 11 };
+    scene s[2];
+
+    (void)state;
+    face[1].intersect_between = face_between;
+    for (int i = 0; i < 2; i++) {
+        node_ref parts[2];
+
+        begin(&s[i]);
+        parts[0] = cube_of_faces(&s[i].model, &face[i], -1.5, 1.0, 3);
+        parts[1] = pair(&s[i].model, NODE_DIFFERENCE, sphere(&s[i].model, 1.5, 0.0, 0.0, 2.0), sphere(&s[i].model, 2.0, 0.5, 0.0, 1.5));
+        assert_true(model_add_tree(&s[i].model, pair(&s[i].model, NODE_MERGE, parts[0], parts[1])));
+        compile(&s[i], POV_ACCEL_TREE);
+    }
+    face_between_asked = 0;
+    for (int n = 0; n < 4000; n++) {
+        const pov_vec3 from = pov_scale(test_direction(&r), test_uniform(&r, 0.0, 6.0));
+        const pov_ray ray = ray_from(from, test_direction(&r));
+        hit a, b;
+        const bool hits = test_nearest(s[0].world, s[0].context, &ray, HUGE_VAL, &a);
+
+        assert_int_equal(test_nearest(s[1].world, s[1].context, &ray, HUGE_VAL, &b), hits);
+        assert_true(!hits || (a.crossing.t == b.crossing.t && a.object == b.object));
+    }
+    assert_true(face_between_asked > 1000);
+    end(&s[0]);
+    end(&s[1]);
+}
+
 static uint32_t rod_hull(const void *self, const pov_half_space *within, uint32_t n, pov_half_space *out)
 {
     (void)self;
@@ -977,6 +1019,7 @@ int main(void)
         cmocka_unit_test(its_leaves_are_one_object),
         cmocka_unit_test(of_many_faces_few_are_asked),
         cmocka_unit_test(members_of_parts_elsewhere_are_not_asked),
+        cmocka_unit_test(infinite_members_are_asked_within_the_box),
         cmocka_unit_test(a_rod_is_finite_by_two_intersections),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
