@@ -191,40 +191,60 @@ static inline double side_of(double x, double y, const double p[2], const double
     return (x - p[0]) * d[1] - (y - p[1]) * d[0];
 }
 
-/* Of points of pieces side by side, the greatest and least side so far. Not inlined: within the loop over points the compiler
- * would unroll this one, and not vectorise it. */
-#if defined(__GNUC__)
-__attribute__((noinline))
-#endif
-static void widen(const double *restrict x, const double *restrict y, const double p[2], const double d[2],
-                  double *restrict most, double *restrict least)
+/* Of pieces side by side, of so many points each, those that have points on both sides of the line m.x x + m.y + m.z y = 0: the products first. */
+COMMON_INLINE uint32_t find_straddling(const double *restrict x, size_t stride, uint32_t points, pov_vec3 m)
 {
-    for (int l = 0; l < SIDE; l++) {
-        const double b = side_of(x[l], y[l], p, d);
+    common_bits both;
 
-        most[l] = common_greater(b, most[l]);
-        least[l] = common_lesser(b, least[l]);
+    COMMON_LOOP for (size_t l = 0; l < SIDE; l++) {
+        double most = -HUGE_VAL, least = HUGE_VAL;
+
+        COMMON_UNROLLED for (uint32_t k = 0; k < points; k++) {
+            const double b = m.x * x[2 * k * stride + l] + m.y + m.z * x[(2 * k + 1) * stride + l];
+
+            most = common_greater(b, most);
+            least = common_lesser(b, least);
+        }
+        both.lane[l] = -((int)(most >= 0.0) & (int)(least < 0.0));
     }
+    return common_gather_bits(&both);
 }
 
 /* Which of the pieces from `first` on have points on both sides: a bit each. */
-static uint32_t straddling(const common_outline *o, uint32_t first, const double p[2], const double d[2])
+static uint32_t straddling_plane(const common_outline *o, uint32_t first, pov_vec3 m)
 {
-    double most[SIDE], least[SIDE];
+    switch (o->points) {
+    case 2: return find_straddling(o->rows + first, o->stride, 2, m);
+    case 3: return find_straddling(o->rows + first, o->stride, 3, m);
+    default: return find_straddling(o->rows + first, o->stride, 4, m);
+    }
+}
+
+/* The same by side_of(). */
+COMMON_INLINE uint32_t find_straddling_line(const double *restrict x, size_t stride, uint32_t points, const double p[2], const double d[2])
+{
+    const double px = p[0], py = p[1], dx = d[0], dy = d[1];
     common_bits both;
 
-    for (int l = 0; l < SIDE; l++) {
-        most[l] = -HUGE_VAL;
-        least[l] = HUGE_VAL;
-    }
-    for (uint32_t k = 0; k < o->points; k++) {
-        const double *x = o->rows + (2 * k) * o->stride + first;
+    COMMON_LOOP for (size_t l = 0; l < SIDE; l++) {
+        double most = -HUGE_VAL, least = HUGE_VAL;
 
-        widen(x, x + o->stride, p, d, most, least);
+        COMMON_UNROLLED for (uint32_t k = 0; k < points; k++) {
+            const double b = (x[2 * k * stride + l] - px) * dy - (x[(2 * k + 1) * stride + l] - py) * dx;
+
+            most = common_greater(b, most);
+            least = common_lesser(b, least);
+        }
+        both.lane[l] = -((int)(most >= 0.0) & (int)(least < 0.0));
     }
-    for (int l = 0; l < SIDE; l++)
-        both.lane[l] = -((int)(most[l] >= 0.0) & (int)(least[l] < 0.0));
     return common_gather_bits(&both);
+}
+
+static uint32_t straddling(const common_outline *o, uint32_t first, const double p[2], const double d[2])
+{
+    if (o->points == 3)
+        return find_straddling_line(o->rows + first, o->stride, 3, p, d);
+    return find_straddling_line(o->rows + first, o->stride, 4, p, d);
 }
 
 /* The line, with what is needed of it: the range is wider by far more than places along it are off. */
@@ -352,29 +372,36 @@ uint32_t common_outline_cross(const common_outline *o, const double p[2], const 
     return count;
 }
 
+/* Of a piece with points on both sides. */
+static uint32_t cross_piece_of_cone(const common_outline *o, uint32_t i, pov_vec3 w, pov_vec3 d, pov_vec3 m, common_cross *out, uint32_t count)
+{
+    const common_piece *c = &o->at[i];
+    double b[4], root[3], point[2], tangent[2];
+    uint32_t n;
+
+    for (uint32_t k = 0; k <= c->degree; k++)
+        b[k] = m.x * c->x[k] + m.y + m.z * c->y[k];
+    n = roots_of(b, c->degree, root);
+    for (uint32_t k = 0; k < n; k++) {
+        pov_vec3 toward, across;
+
+        common_piece_at(c, root[k], point, tangent);
+        toward = pov_vec3_of(point[0], 1.0, point[1]);
+        across = pov_cross_product(d, toward);
+        sort_in(out, count++, -pov_dot(pov_cross_product(w, toward), across) / pov_dot(across, across), root[k], i);
+    }
+    return count;
+}
+
 /* The line and the apex span a plane; where the outline crosses it, the line crosses the ray from the apex through there. */
 uint32_t common_outline_cross_cone(const common_outline *o, pov_vec3 w, pov_vec3 d, common_cross *out)
 {
     const pov_vec3 m = pov_cross_product(w, d);
     uint32_t count = 0;
 
-    for (uint32_t i = 0; i < o->count; i++) {
-        const common_piece *c = &o->at[i];
-        double b[4], root[3], point[2], tangent[2];
-        uint32_t n;
-
-        for (uint32_t k = 0; k <= c->degree; k++)
-            b[k] = m.x * c->x[k] + m.y + m.z * c->y[k];
-        n = roots_of(b, c->degree, root);
-        for (uint32_t k = 0; k < n; k++) {
-            pov_vec3 toward, across;
-
-            common_piece_at(c, root[k], point, tangent);
-            toward = pov_vec3_of(point[0], 1.0, point[1]);
-            across = pov_cross_product(d, toward);
-            sort_in(out, count++, -pov_dot(pov_cross_product(w, toward), across) / pov_dot(across, across), root[k], i);
-        }
-    }
+    for (uint32_t first = 0; first < o->count; first += SIDE)
+        for (uint32_t bits = straddling_plane(o, first, m); bits != 0; bits &= bits - 1)
+            count = cross_piece_of_cone(o, first + common_first_lane(bits), w, d, m, out, count);
     return count;
 }
 

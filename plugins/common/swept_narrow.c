@@ -115,6 +115,26 @@ COMMON_INLINE double has_one_root(const double b[4], double u, double beside)
     return greater(common_lesser(common_lesser(q0, q1), q2), -greater(greater(q0, q1), q2)) > 8.0 * beside ? 1.0 : 0.0;
 }
 
+/* May any line come near to a cubic piece? Else there is nothing to add. */
+COMMON_SEPARATE static bool any_nears(const lines *restrict n, const double *restrict x, const double *restrict y)
+{
+    const double x0 = x[0], y0 = y[0], x1 = x[1], y1 = y[1], x2 = x[2], y2 = y[2], x3 = x[3], y3 = y[3];
+    double clear[N], least[N / 2];
+    uint64_t any = 0;
+
+    for (uint32_t i = 0; i < N; i++) {
+        const double ex = n->ex[i], ey = n->ey[i], side = n->side[i];
+        const double b[4] = { x0 * ey - y0 * ex - side, x1 * ey - y1 * ex - side, x2 * ey - y2 * ex - side, x3 * ey - y3 * ex - side };
+
+        clear[i] = greater(least_of(b), -most_of(b)) - 1.0625 * n->beside[i];
+    }
+    for (uint32_t i = 0; i < N / 2; i++)
+        least[i] = common_lesser(clear[i], clear[i + N / 2]);
+    for (uint32_t i = 0; i < N / 2; i++)
+        any |= elementary_bits(least[i]);
+    return any >> 63;
+}
+
 /* A cubic piece, by the sides and the places of its points. */
 COMMON_SEPARATE static void add_cubic(const lines *restrict n, double number, const double *restrict x, const double *restrict y, sums *restrict io)
 {
@@ -162,7 +182,8 @@ static void add_curve(const common_piece *c, const lines *n, double number, sums
         x[k] = c->degree == 3 ? c->x[k] : k == 0 ? c->x[0] : share * c->x[k - 1] + (1.0 - share) * c->x[k < 3 ? k : 2];
         y[k] = c->degree == 3 ? c->y[k] : k == 0 ? c->y[0] : share * c->y[k - 1] + (1.0 - share) * c->y[k < 3 ? k : 2];
     }
-    add_cubic(n, number, x, y, io);
+    if (any_nears(n, x, y))
+        add_cubic(n, number, x, y, io);
 }
 
 /* Points that two straight pieces share are looked at once. */
