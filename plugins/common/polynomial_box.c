@@ -7,8 +7,8 @@
 #include <math.h>
 #include <string.h>
 
-/* Higher orders would take too long; cells get as small as 2^-DEPTH of a box of powers of two. */
-enum { ORDER_MOST = 6, MANY = ORDER_MOST + 1, FACE = 12, DEPTH = 6, TURNS = 4 };
+/* Higher orders would take too long; cells get as small as 2^-DEPTH of a box of powers of two, or 2^-DEPTH_AGAIN of a smaller one. */
+enum { ORDER_MOST = 6, MANY = ORDER_MOST + 1, FACE = 12, DEPTH = 6, DEPTH_AGAIN = 4, TURNS = 6 };
 
 /* Coefficients of x^i y^j z^k, or Bernstein coefficients in a box, all powers up to the order: z changes first. */
 typedef struct tensor { double at[MANY * MANY * MANY]; } tensor;
@@ -219,7 +219,7 @@ static double find_reach(const common_polynomial *p, const weights *w)
 
 /* ---- the box ---- */
 
-typedef struct hunt { int order; double noise; pov_box found; } hunt;
+typedef struct hunt { int order, depth; double noise; pov_box found; } hunt;
 
 static bool is_found(const hunt *h, const pov_box *b)
 {
@@ -253,7 +253,7 @@ static void find_cells(hunt *h, tensor *t, const pov_box *box, int depth)
 
     if (is_found(h, box) || least_of(t->at, row * row * row) > h->noise)
         return;
-    if (depth == 3 * DEPTH) {
+    if (depth == h->depth) {
         join(&h->found, box);
         return;
     }
@@ -277,12 +277,28 @@ static bool find_within(hunt *h, const common_polynomial *p, const pov_box *box)
     return h->found.lo.x < h->found.hi.x;
 }
 
-/* Is one eighth of it as wide as what was found, or wider? Cells were large then. */
-static bool is_coarse(const pov_box *box, const pov_box *found)
+/* Is such a part of it as wide as what was found along some axis, or wider? */
+static bool is_coarse(const pov_box *box, const pov_box *found, double part)
 {
-    const pov_vec3 all = pov_sub(box->hi, box->lo), part = pov_scale(pov_sub(found->hi, found->lo), 8.0);
+    const pov_vec3 all = pov_scale(pov_sub(box->hi, box->lo), part), some = pov_sub(found->hi, found->lo);
 
-    return part.x <= all.x || part.y <= all.y || part.z <= all.z;
+    return some.x <= all.x || some.y <= all.y || some.z <= all.z;
+}
+
+/* Where cells were large beside what was found that is divided again, into fewer. False: nothing is left. */
+static bool divide_again(hunt *h, const common_polynomial *p, const pov_box *all)
+{
+    pov_box box = *all;
+    bool coarse = is_coarse(&box, &h->found, 0.125);
+
+    h->depth = 3 * DEPTH_AGAIN;
+    for (int turn = 0; turn < TURNS && coarse; turn++) {
+        box = h->found;
+        if (!find_within(h, p, &box))
+            return false;
+        coarse = is_coarse(&box, &h->found, 0.5);
+    }
+    return true;
 }
 
 static double noise_at(const common_polynomial *p, const weights *w, double reach)
@@ -301,7 +317,7 @@ bool common_polynomial_find_box(const common_polynomial *p, pov_box *out)
     weights w;
     const bool may = p->order % 2 == 0 && p->order <= ORDER_MOST && find_weights(p, &w) && !has_more(p, &w);
     const double reach = may ? find_reach(p, &w) : 0.0;
-    hunt h = { .order = p->order };
+    hunt h = { .order = p->order, .depth = 3 * DEPTH };
     double of[3];
     pov_vec3 all, margin;
     pov_box box;
@@ -317,13 +333,8 @@ bool common_polynomial_find_box(const common_polynomial *p, pov_box *out)
     box.lo = pov_scale(all, -1.0);
     box.hi = all;
     h.noise = noise_at(p, &w, reach);
-    if (!find_within(&h, p, &box))
+    if (!find_within(&h, p, &box) || !divide_again(&h, p, &box))
         return false;
-    for (int turn = 0; turn < TURNS && is_coarse(&box, &h.found); turn++) {
-        box = h.found;
-        if (!find_within(&h, p, &box))
-            return false;
-    }
     margin = pov_scale(all, 0x1p-20);
     out->lo = pov_sub(h.found.lo, margin);
     out->hi = pov_add(h.found.hi, margin);
