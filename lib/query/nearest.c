@@ -108,8 +108,8 @@ SIMD_INLINE void filter(packet *p, const leaf_batch *r, uint64_t lanes)
         ask_open(p, r, &open, &instanced, open_lanes);
 }
 
-/* The same for several lanes of a batch with a single shape that takes rays side by side. */
-static void ask_together(packet *p, const leaf_batch *r, uint64_t lanes)
+/* The same for several lanes and one shape of a batch whose class takes rays side by side. */
+static void ask_together(packet *p, const leaf_batch *r, uint32_t which, uint64_t lanes)
 {
     uint8_t of[WORLD_MANY];
     xform_batch instanced;
@@ -121,12 +121,12 @@ static void ask_together(packet *p, const leaf_batch *r, uint64_t lanes)
         const pov_ray *ray;
 
         i = first_of64(lanes);
-        if (!possible_of(p, i, r))
+        if (!(possible_of(p, i, r) >> which & 1))
             continue;
-        hits_of(p, i)->owner = r->object[0];
+        hits_of(p, i)->owner = r->object[which];
         of[some.count] = (uint8_t)i;
         ray = r->flags & LEAF_INSTANCED ? own_ray(p->context, &instanced, leaf_batch_xform(r), p->rays[i], p->of[i], r->object[0]) : p->rays[i];
-        pairs_put(&some, leaf_batch_instance(r, 0), ray, &p->hits[i]);
+        pairs_put(&some, leaf_batch_instance(r, which), ray, &p->hits[i]);
     }
     xform_batch_apply(&instanced);
     if (some.count > 0)
@@ -164,10 +164,13 @@ static uint64_t leaf_nearest(bvh_traversal *traversal, const void *leaf, uint64_
 
         if (lanes & ~exact)
             filter(p, r, lanes & ~exact);
-        if (packet_asks_together(p, r, exact))
-            ask_together(p, r, exact);
-        else if (exact)
-            ask_all(p, r, exact);
+        if (!packet_asks_together(p, r, exact)) {
+            if (exact)
+                ask_all(p, r, exact);
+            continue;
+        }
+        for (uint32_t which = 0; which < r->count; which++)
+            ask_together(p, r, which, exact);
     }
     return 0;
 }

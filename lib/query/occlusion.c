@@ -181,10 +181,10 @@ static uint64_t filter(packet *p, const leaf_batch *r, uint64_t lanes)
     return ended;
 }
 
-/* The same for several lanes of a batch with a single shape that takes rays side by side. */
-static uint64_t ask_together(packet *p, const leaf_batch *r, uint64_t lanes)
+/* The same for several lanes and one shape of a batch whose class takes rays side by side. */
+static uint64_t ask_together(packet *p, const leaf_batch *r, uint32_t which, uint64_t lanes)
 {
-    const bool blocks = p->any_blocks || (r->opaque & 1);
+    const bool blocks = p->any_blocks || (r->opaque >> which & 1);
     uint64_t ended = 0;
     pov_ray own[WORLD_MANY];
     uint8_t of[WORLD_MANY];
@@ -196,14 +196,14 @@ static uint64_t ask_together(packet *p, const leaf_batch *r, uint64_t lanes)
         const uint32_t i = first_of64(lanes);
         pov_hits *hits = blocks ? &p->hits[i] : &p->filter_hits[i];
 
-        if (!possible_of(p, i, r))
+        if (!(possible_of(p, i, r) >> which & 1))
             continue;
         begin_light(p, i);
-        hits->owner = r->object[0];
+        hits->owner = r->object[which];
         of[some.count] = (uint8_t)i;
         if (r->flags & LEAF_INSTANCED)
             xform_batch_add(&instanced, leaf_batch_xform(r), p->rays[i], &own[some.count]);
-        pairs_put(&some, leaf_batch_instance(r, 0), r->flags & LEAF_INSTANCED ? &own[some.count] : p->rays[i], hits);
+        pairs_put(&some, leaf_batch_instance(r, which), r->flags & LEAF_INSTANCED ? &own[some.count] : p->rays[i], hits);
     }
     xform_batch_apply(&instanced);
     if (some.count > 0)
@@ -242,10 +242,11 @@ static uint64_t leaf_occlusion(bvh_traversal *traversal, const void *leaf, uint6
         exact = exact_of(p, r, lanes);
         if (lanes & ~exact)
             ended |= filter(p, r, lanes & ~exact);
-        if (packet_asks_together(p, r, exact)) {
-            ended |= ask_together(p, r, exact);
+        for (uint32_t which = 0, together = packet_asks_together(p, r, exact) ? r->count : 0; which < together; which++)
+            if (r->casts >> which & 1)
+                ended |= ask_together(p, r, which, exact & ~ended);
+        if (packet_asks_together(p, r, exact))
             exact = 0;
-        }
         for (; exact; exact &= exact - 1) {
             const uint32_t i = first_of64(exact);
 

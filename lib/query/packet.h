@@ -102,11 +102,11 @@ static inline uint32_t possible_of(packet *p, uint32_t i, const leaf_batch *r)
     return found;
 }
 
-/* Does the only shape of a batch take several rays side by side, and are there several that filters cannot take? */
+/* Do the shapes of a batch take several rays side by side, one shape after the other, and are there several that filters cannot take? */
 static inline bool packet_asks_together(const packet *p, const leaf_batch *r, uint64_t lanes)
 {
-    return (lanes & (lanes - 1)) != 0 && r->count == 1 && !(r->flags & LEAF_PACKED) && r->shape->intersect_many &&
-           !p->from;
+    return (lanes & (lanes - 1)) != 0 && (r->count == 1 || !(r->flags & LEAF_INSTANCED)) && !(r->flags & LEAF_PACKED) &&
+           r->shape->intersect_many && !p->from;
 }
 
 /* Set the origin surfaces of `from` when their owners are intersected: each by its own mark, others not at all. */
