@@ -398,6 +398,21 @@ SIMD_INLINE void find_holding(uint32_t columns, uint32_t column, const near_rays
     }
 }
 
+/* Crossings ahead and within the box, which is the last column; else infinity. False: all are, or behind others that show. */
+SIMD_INLINE bool find_ahead(const csg_outline *of, uint32_t column, const near_rays *restrict k, const double *restrict at,
+                            const double *restrict first, double *restrict out)
+{
+    SIMD_ALIGNED lane counts;
+
+    SIMD_LOOP for (uint32_t i = 0; i < TOGETHER; i++) {
+        const double ahead = at[i] > k->of[START][i] ? at[i] : HUGE_VAL, within = k->in[column][i] < k->out[column][i] ? ahead : HUGE_VAL;
+
+        out[i] = within < k->in[of->count][i] ? HUGE_VAL : within > k->out[of->count][i] ? HUGE_VAL : within;
+        counts[i] = out[i] < HUGE_VAL ? out[i] > first[i] + margin ? 0.0 : 1.0 : 0.0;
+    }
+    return greatest(counts) > 0.0;
+}
+
 /* What happens at a crossing, where that is the first so far that shows; and the first place where crossings are too near each other. */
 SIMD_INLINE void try_crossing(const csg_outline *of, uint32_t column, bool enters, const near_rays *restrict k, const double *restrict at,
                               firsts *restrict io, double *restrict close)
@@ -405,23 +420,22 @@ SIMD_INLINE void try_crossing(const csg_outline *of, uint32_t column, bool enter
     const uint64_t shows = of->shows[column], grows = of->grows[column];
     const double crossing = 2.0 * column + (enters ? 1.0 : 0.0);
     SIMD_ALIGNED uint64_t holding[TOGETHER];
-    SIMD_ALIGNED lane near;
+    SIMD_ALIGNED lane near, boxed;
 
+    if (!find_ahead(of, column, k, at, io->at, boxed))
+        return;
     find_holding(of->count, column, k, at, holding, near);
     SIMD_LOOP for (uint32_t i = 0; i < TOGETHER; i++) {
-        const double ahead = at[i] > k->of[START][i] ? at[i] : HUGE_VAL, within = k->in[column][i] < k->out[column][i] ? ahead : HUGE_VAL;
-        const double boxed = within < k->in[of->count][i] ? HUGE_VAL : within > k->out[of->count][i] ? HUGE_VAL : within;
-        const double shown = shows >> holding[i] & 1 ? boxed : HUGE_VAL, grown = grows >> holding[i] & 1 ? 1.0 : 0.0;
+        const double shown = shows >> holding[i] & 1 ? boxed[i] : HUGE_VAL, grown = grows >> holding[i] & 1 ? 1.0 : 0.0;
         const double inward = enters ? grown : 1.0 - grown;
 
-        close[i] = near[i] > margin ? close[i] : lesser(boxed, close[i]);
+        close[i] = near[i] > margin ? close[i] : lesser(boxed[i], close[i]);
         io->crossing[i] = shown < io->at[i] ? crossing : io->crossing[i];
         io->inward[i] = shown < io->at[i] ? inward : io->inward[i];
         io->at[i] = lesser(shown, io->at[i]);
     }
 }
 
-/* The box is the last column. */
 SIMD_CLONES SIMD_NOINLINE static void sweep_all(const csg_tree *t, const pov_rays *restrict rays, near_rays *restrict k,
                                                 firsts *restrict out)
 {
