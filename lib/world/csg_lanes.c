@@ -141,6 +141,17 @@ SIMD_INLINE void cross_round(const csg_outline *of, uint32_t column, near_rays *
         cross_general(number, column, k);
 }
 
+/* What is certainly missed has no ends: those of its slabs may lie where something else is crossed. */
+SIMD_INLINE void leave_out_missed(uint32_t column, near_rays *restrict k)
+{
+    SIMD_LOOP for (uint32_t i = 0; i < TOGETHER; i++) {
+        const double in = k->in[column][i], out = k->out[column][i], missed = in - out > margin ? 1.0 : 0.0;
+
+        k->in[column][i] = missed > 0.0 ? HUGE_VAL : in;
+        k->out[column][i] = missed > 0.0 ? -HUGE_VAL : out;
+    }
+}
+
 SIMD_INLINE void cross_column(const csg_outline *of, uint32_t column, near_rays *restrict k)
 {
     SIMD_LOOP for (uint32_t i = 0; i < TOGETHER; i++) {
@@ -151,6 +162,7 @@ SIMD_INLINE void cross_column(const csg_outline *of, uint32_t column, near_rays 
         cross_slab(of->numbers + csg_number(CSG_SLAB_NUMBERS, slab), column, k);
     if (of->round >> column & 1)
         cross_round(of, column, k);
+    leave_out_missed(column, k);
 }
 
 /* The columns that hold the tree: a ray that is never within all of them passes it. */
