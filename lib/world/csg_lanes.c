@@ -24,13 +24,14 @@ static const double margin = CSG_OUTLINE_MARGIN;
 SIMD_INLINE double lesser(double a, double b) { return a < b ? a : b; }
 SIMD_INLINE double greater(double a, double b) { return a > b ? a : b; }
 
-SIMD_INLINE double smallest(const double *restrict a)
+/* Is any lane's other than 0? */
+SIMD_INLINE bool is_any(const uint64_t *restrict a)
 {
-    double least = a[0];
+    uint64_t some[TOGETHER / 2];
 
-    for (uint32_t i = 1; i < TOGETHER; i++)
-        least = lesser(a[i], least);
-    return least;
+    for (uint32_t i = 0; i < TOGETHER / 2; i++)
+        some[i] = a[i] | a[i + TOGETHER / 2];
+    return (some[0] | some[1] | some[2] | some[3]) != 0;
 }
 
 SIMD_INLINE double greatest(const double *restrict a)
@@ -276,10 +277,13 @@ SIMD_CLONES SIMD_NOINLINE static void leave_by_name(const csg_tree *t, const pov
  * or not, for certain. */
 SIMD_INLINE void check_near(const csg_tree *t, const pov_rays *restrict rays, near_rays *restrict io)
 {
+    SIMD_ALIGNED uint64_t near[TOGETHER];
     SIMD_ALIGNED lane least;
 
     find_nearest(t->outline->count, io, least);
-    if (!(smallest(least) > margin))
+    SIMD_LOOP for (uint32_t i = 0; i < TOGETHER; i++)
+        near[i] = least[i] > margin ? 0 : 1;
+    if (is_any(near))
         leave_by_name(t, rays, least, io);
 }
 
@@ -414,15 +418,15 @@ SIMD_INLINE void find_holding(uint32_t columns, uint32_t column, const near_rays
 SIMD_INLINE bool find_ahead(const csg_outline *of, uint32_t column, const near_rays *restrict k, const double *restrict at,
                             const double *restrict first, double *restrict out)
 {
-    SIMD_ALIGNED lane counts;
+    SIMD_ALIGNED uint64_t counts[TOGETHER];
 
     SIMD_LOOP for (uint32_t i = 0; i < TOGETHER; i++) {
         const double ahead = at[i] > k->of[START][i] ? at[i] : HUGE_VAL, within = k->in[column][i] < k->out[column][i] ? ahead : HUGE_VAL;
 
         out[i] = within < k->in[of->count][i] ? HUGE_VAL : within > k->out[of->count][i] ? HUGE_VAL : within;
-        counts[i] = out[i] < HUGE_VAL ? out[i] > first[i] + margin ? 0.0 : 1.0 : 0.0;
+        counts[i] = out[i] < HUGE_VAL ? out[i] > first[i] + margin ? 0 : 1 : 0;
     }
-    return greatest(counts) > 0.0;
+    return is_any(counts);
 }
 
 /* What happens at a crossing, where that is the first so far that shows; and the first place where crossings are too near each other. */
