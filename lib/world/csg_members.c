@@ -309,7 +309,7 @@ static bool ends_inside(const csg_traversal *w, const csg_member *m, uint32_t fi
 /* The part of the ray that counts for an infinite member. */
 typedef struct stretch { double from, to; } stretch;
 
-/* Is the ray inside where a stretch begins? Tested in the middle of the widest gap between crossings. */
+/* Is the ray inside where a stretch begins? Tested in the middle of the widest gap between crossings, which are in order. */
 static bool begins_inside(const csg_traversal *w, const csg_member *m, uint32_t first, const stretch *in)
 {
     const uint32_t count = w->found.count;
@@ -338,15 +338,15 @@ static bool comes_before(const pov_crossing *a, const pov_crossing *b)
     return a->owner < b->owner;
 }
 
-/* Merge the crossings from `first` on into those still ahead. */
-static void put_in_order(csg_traversal *w, uint32_t first)
+/* Merge the crossings from `first` on into those from `least` on. */
+static void put_in_order(csg_traversal *w, uint32_t first, uint32_t least)
 {
     pov_crossing *at = w->found.at;
 
     for (uint32_t i = first, j; i < w->found.count; i++) {
         const pov_crossing c = at[i];
 
-        for (j = i; j > w->applied && comes_before(&c, &at[j - 1]); j--)
+        for (j = i; j > least && comes_before(&c, &at[j - 1]); j--)
             at[j] = at[j - 1];
         at[j] = c;
     }
@@ -426,13 +426,15 @@ static void test_member(csg_traversal *w, uint32_t member, const cut_crossing *c
         return;
     intersect(w, m, in);
     drop_behind(w, first);
+    if (in)
+        put_in_order(w, first, first);
     inside = !m->patch && !m->open && (in ? begins_inside(w, m, first, in) : (w->found.count - first) & 1);
     if (!in && !m->boxed && !m->patch && !m->open)
         inside = inside != (cut && fabs(cut->slope) > certain * w->dir ? (cut->slope < 0.0) != m->inverse : ends_inside(w, m, first));
     w->missed = w->missed || (m->needed && !m->open && !inside && w->found.count == first);
     if (inside)
         csg_toggle(w, member);
-    put_in_order(w, first);
+    put_in_order(w, first, w->applied);
 }
 
 /* The ray is within a cut wherever it is within the others and the tree's box. */
