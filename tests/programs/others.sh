@@ -1,5 +1,6 @@
 #!/bin/sh
-# Scenes as Jmol, Open Babel, Inkscape, DRAWxtl, Voro++, polymake, Blender and FreeCAD write them, each where it is installed.
+# Scenes as Jmol, Open Babel, Inkscape, DRAWxtl, Voro++, polymake, Graphviz, OpenSceneGraph, GRASS, Avogadro, Blender and
+# FreeCAD write them, each where it is installed.
 # Usage: others.sh FOLDER
 here=$(cd "$(dirname "$0")" && pwd)
 cd "$1" || exit 1
@@ -90,10 +91,80 @@ if have polymake; then
     cp "$scene" polymake-scene.inc
     sed -i 's/^#include ".*polymake-scene.pov"/#include "polymake-scene.inc"/' polymake_solid.pov
 fi
+if have dot; then
+    cat > graph.dot <<'END'
+digraph parts {
+  graph [bgcolor=transparent, fontname="timrom.ttf", label="parts of a scene"]; node [style=filled, fontname="cyrvetic.ttf"];
+  edge [fontname="crystal.ttf"];
+  scene [shape=box, fillcolor="#c04020"]; camera [shape=ellipse, fillcolor="#ffd700"]; light [shape=hexagon, fillcolor="#80c0ff"];
+  object [shape=doublecircle, fillcolor="#98fb98"]; texture [shape=polygon, sides=5, fillcolor="#dda0dd80"];
+  scene -> camera; scene -> light [color="#ff0000"]; scene -> object [style=dashed, label="many"]; object -> texture [penwidth=3];
+}
+END
+    dot -Tpov graph.dot -o graphviz_parts.pov 2> /dev/null
+    dot -Kneato -Tpov graph.dot -o graphviz_springs.pov 2> /dev/null
+fi
+if have osgconv; then
+    printf 'newmtl red\nKa .2 .1 .1\nKd .8 .2 .1\nKs .5 .5 .5\nNs 40\n' > pyramid.mtl
+    cat > pyramid.obj <<'END'
+mtllib pyramid.mtl
+v 0 0 0
+v 1 0 0
+v 1 1 0
+v 0 1 0
+v .5 .5 1
+vt 0 0
+vt 1 0
+vt 1 1
+vt 0 1
+vn 0 0 -1
+vn 0 -.9 .4
+vn .9 0 .4
+vn 0 .9 .4
+vn -.9 0 .4
+usemtl red
+f 1/1/1 4/4/1 3/3/1 2/2/1
+f 1/1/2 2/2/2 5/3/2
+f 2/1/3 3/2/3 5/3/3
+f 3/1/4 4/2/4 5/3/4
+f 4/1/5 1/2/5 5/3/5
+END
+    osgconv -o 60-1,0.2,0.3 pyramid.obj osg_pyramid.pov > /dev/null 2>&1
+    [ ! -e osg_pyramid.pov ] || echo 'light_source { <2, 3, -5> rgb 1 }' >> osg_pyramid.pov
+fi
+if have grass; then
+    cat > map.sh <<'END'
+g.region n=64 s=0 e=64 w=0 res=1
+r.mapcalc "hill = 20 * exp(-((row()-32)^2 + (col()-24)^2) / 200.0) + 8 + 8 * sin(row() * 12) * cos(col() * 17)" --q
+r.out.pov input=hill output=grass_hill.tga --q
+r.contour input=hill output=lines step=4 --q
+v.out.pov input=lines output=grass_lines.inc size=0.3 zmod=+28 objmod="pigment { rgb <1, .8, .2> }" --q
+v.random output=points npoints=40 seed=1 zmin=26 zmax=34 -z --q
+v.out.pov input=points output=grass_points.inc size=1 objmod="pigment { rgb x }" --q
+v.random output=sites npoints=12 seed=2 --q
+v.voronoi input=sites output=cells --q
+v.out.pov input=cells output=grass_areas.inc zmod=+30 objmod="pigment { rgbt <.3, .6, .4, .5> }" --q
+END
+    timeout 100 grass --tmp-location XY --exec sh map.sh > /dev/null 2>&1
+    cat > grass_map.pov <<'END'
+#version 3.6;
+camera { location <32, 70, -40> look_at <32, 10, 28> }
+background { rgb <.7, .8, 1> }
+light_source { <-60, 90, -30> rgb 1 }
+height_field { tga "grass_hill.tga" smooth scale <64, 3600, 64> pigment { rgb <.4, .6, .3> } }
+#include "grass_lines.inc"
+#include "grass_points.inc"
+#include "grass_areas.inc"
+END
+fi
+if [ -e /usr/include/avogadro/rendering/povrayvisitor.h ]; then
+    ${CXX:-g++} -I/usr/include/eigen3 -I/usr/include/avogadro "$here/with_avogadro.cpp" -lAvogadroRendering -lAvogadroCore -o writer
+    ./writer > avogadro_molecule.pov
+fi
 if have blender; then
     timeout 300 blender -b --python-exit-code 1 --python "$here/with_blender.py" -- "$PWD" > /dev/null
 fi
 if have freecadcmd; then
     SCENES=$PWD timeout 120 freecadcmd "$here/with_freecad.py" < /dev/null > /dev/null
 fi
-rm -f molecule.xyz script.spt drawing.svg cells cells.vol solid.pl
+rm -f molecule.xyz script.spt drawing.svg cells cells.vol solid.pl graph.dot pyramid.obj pyramid.mtl map.sh writer

@@ -1,10 +1,14 @@
 #!/usr/bin/env python3
 """Scenes as programs write them today, drawn by povc and by POV-Ray.
 
-The programs are installed where they can be: ASE, PyMOL, VTK, vapory and fdray from PyPI into a folder of their own; Jmol,
-Open Babel, Inkscape, DRAWxtl, Voro++, polymake, Blender and FreeCAD are used where the system has them (Debian: jmol xvfb
-openbabel inkscape drawxtl voro++ polymake blender freecad-python3). Then the calls by which ASE, vapory, fdray and PyMOL
-render are made with povc under the name `povray`, and tests/corpus/corpus.py compares the scenes.
+The programs are installed where they can be: ASE, PyMOL, VTK, vapory, fdray, plato and povplot from PyPI into a folder of
+their own; Jmol, Open Babel, Inkscape, DRAWxtl, Voro++, polymake, Graphviz, OpenSceneGraph, GRASS, Avogadro, Blender and
+FreeCAD are used where the system has them (Debian: jmol xvfb openbabel inkscape drawxtl voro++ polymake graphviz
+openscenegraph grass-core libavogadro-dev blender freecad-python3). Then the calls by which ASE, vapory, fdray, PyMOL, plato
+and povplot render are made with povc under the name `povray`, and tests/corpus/corpus.py compares the scenes.
+
+Mayavi, PyVista and ParaView write what VTK writes. RasMol, Gdis, Wings 3D, LeoCAD and Structure Synth write scenes by their
+menus alone; OVITO, gmsh, Geomview, MeshLab and Assimp write none (any more).
 """
 import argparse
 import os
@@ -15,8 +19,8 @@ from pathlib import Path
 
 HERE = Path(__file__).parent
 PACKAGES = {'ase': ['ase', 'scikit-image'], 'vapory': ['vapory'], 'pymol': ['pymol-open-source'], 'vtk': ['vtk'],
-            'fdray': ['fdray']}
-RENDERING = ('ase', 'vapory', 'pymol', 'fdray')
+            'fdray': ['fdray'], 'plato': ['plato-draw'], 'povplot': ['povplot', 'jinja2<3.1', 'matplotlib<3.9']}
+RENDERING = ('ase', 'vapory', 'pymol', 'fdray', 'plato', 'povplot')
 
 
 def python_with_packages(folder):
