@@ -54,7 +54,9 @@ static void one_clip_is_like_several(void **state)
 {
     static const char *const objects[] = { CUBIC, QUARTIC, "quadric { <1,0,-1>, <0,.3,0>, <0,0,.1>, -.1 ", "plane { <.3,1,-.5>, .1 ",
                                            "sphere { <.3,0,.2>, .8 ", "torus { .6, .25 rotate 60*x ", "plane { z, 0 rotate 30*x inverse ",
-                                           TENT, TENT "inside_vector y " };
+                                           TENT, TENT "inside_vector y ",
+                                           "torus { .6, .25 rotate 60*x inverse ",
+                                           "torus { 40, 30 rotate 80*x translate <-40,.3,0> " };   /* camera, lights and clips are inside */
     static const char *const clips[] = { "sphere { 0, 1 }", "box { <-.7,-.8,-.9>, <.8,.7,.6> rotate <20,30,40> }",
                                          "cylinder { -y, y, .7 rotate 50*z }" };
     static const char *const cameras[] = { "<.3,1.2,-5>", "<.1,.12,.05>", "<-4,.2,3>" };
@@ -190,6 +192,7 @@ static void a_clip_around_all_of_it_is_left_out(void **state)
     assert_clips("sphere { 0, 1 inverse clipped_by { box { -2, 2 } } }", true);
     assert_clips("sphere { 0, 1 clipped_by { plane { y, 1.001 } } }", false);
     assert_clips("plane { y, 0 clipped_by { box { -2, 2 } } }", true);
+    assert_clips("disc { 0, y, 1 clipped_by { box { -2, 2 } } }", true);   /* below it is its inside, all of it */
     assert_clips("sphere { 0, 1 clipped_by { torus { 3, 2.5 } } }", true);
     assert_clips("sphere { 0, 1 clipped_by { union { box { -2, 2 } } } }", true);
     /* By where both are. */
@@ -197,7 +200,11 @@ static void a_clip_around_all_of_it_is_left_out(void **state)
     assert_clips("sphere { 0, 1 clipped_by { box { -2, 2 } } scale 3 rotate 20 translate 1e6 }", false);
     assert_clips("sphere { 0, 1 clipped_by { box { -2, 2 rotate 45*z translate 2 } } }", true);
     assert_clips("sphere { 0, 1 translate 2 clipped_by { box { -2, 2 rotate 45*z translate 2 } } }", false);
+    assert_clips("torus { 1, .25 translate 2 clipped_by { box { -2, 2 } } }", true);
+    assert_clips("torus { 1, .25 translate 2 clipped_by { box { -2, 2 translate 2 } } }", false);
     assert_clips("sphere { 0, 1 translate 1e6 clipped_by { box { -1.000000000001, 2 translate 1e6 } } }", true);   /* 1e6 loses that */
+    assert_clips("sphere { 0, 1 translate 1e6 clipped_by { box { -1.00000001, 2 translate 1e6 } } }", true);
+    assert_clips("sphere { 0, 1 translate 1e6 clipped_by { box { -1.000001, 2 translate 1e6 } } }", false);
     /* A union if that holds of each. */
     assert_clips("union { sphere { 0, 1 } cone { 0, 1, y, 2 } scale .9 clipped_by { box { -2, 2 } } }", false);
     assert_clips("union { sphere { 0, 1 } cone { 0, 1, 3*y, 2 } clipped_by { box { -2, 2 } } }", true);

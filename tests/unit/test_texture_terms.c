@@ -260,6 +260,7 @@ static void layers_are_colourless_if_laid_before_version_3_5(void **state)
         { "#version 3.1; sphere { 0, 1 " BELOW " texture { pigment { " ABOVE " } } }", .75f, .375f },
         { "#version 3.1; sphere { 0, 1 " BELOW " texture { pigment { " ABOVE " } } } #version 3.7;", .75f, .375f },
         { "#version 3.7; sphere { 0, 1 " BELOW " texture { pigment { " ABOVE " } } } #version 3.1;", .5f, .375f },
+        { "#version 3.5; sphere { 0, 1 " BELOW " texture { pigment { " ABOVE " } } }", .5f, .375f },
         { "#version 3.1; #declare T = texture { " BELOW " } texture { pigment { " ABOVE " } }\n#version 3.7;"
           "sphere { 0, 1 texture { T } }", .75f, .375f },
         { "#version 3.7; #declare T = texture { " BELOW " } texture { pigment { " ABOVE " } }\n#version 3.1;"
