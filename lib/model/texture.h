@@ -31,6 +31,7 @@ typedef struct pigment_node {
     const pigment *colours;
     const struct pigment_node *const *pigments;
     const pattern *space;        /* of a constant: what was written of a pattern that may come; or NULL */
+    const struct pigment_node *map;     /* of a constant: the members that this pattern then chooses from; or NULL */
     const struct pigment_node *draft;   /* what it is in drafts; NULL: itself */
     pigment most;                /* the constant; where it varies, the largest that each component can be: what is zero
                                   * there is zero everywhere */

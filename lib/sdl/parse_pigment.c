@@ -37,23 +37,27 @@ static void set_colour(pigment_reading *r, pigment p)
 
 static void take_colour(pov_reader *in, pigment_reading *r) { set_colour(r, read_colour(in)); }
 
-/* What is read changes the pigment that was there before. */
-static void take_base(pigment_reading *r, const pigment_node *from)
+static void take_map(pigment_reading *r, const pigment_node *from)
 {
-    r->constant = from->most;
-    r->draft = from->draft;
     memset(&r->map, 0, sizeof r->map);
-    if (from->space)
-        parse_pattern_take_space(&r->pattern, from->space);
-    if (!from->pattern)
-        return;
-    parse_pattern_take(&r->pattern, from->pattern);
-    if (from->own_map || (!from->colours && !from->pigments))
+    if (!from || from->own_map || (!from->colours && !from->pigments))
         return;
     r->map.kind = from->colours ? VALUE_COLOUR_MAP : VALUE_PIGMENT_MAP;
     r->map.count = from->count;
     r->map.values = from->values;
     r->map.members = from->colours ? (const void *)from->colours : (const void *)from->pigments;
+}
+
+/* What is read changes the pigment that was there before. */
+static void take_base(pigment_reading *r, const pigment_node *from)
+{
+    r->constant = from->most;
+    r->draft = from->draft;
+    if (from->space)
+        parse_pattern_take_space(&r->pattern, from->space);
+    if (from->pattern)
+        parse_pattern_take(&r->pattern, from->pattern);
+    take_map(r, from->pattern ? from : from->map);
 }
 
 static void take_node(pov_reader *in, void *self, const value *v)
@@ -195,6 +199,16 @@ static pigment most_of(const pigment_node *p)
     return most;
 }
 
+static void set_members(pigment_node *node, const map_parsed *map)
+{
+    node->count = map->count;
+    node->values = map->values;
+    if (map->kind == VALUE_COLOUR_MAP)
+        node->colours = map->members;
+    else
+        node->pigments = map->members;
+}
+
 static const pigment_node *make_varying(pov_reader *in, pigment_reading *r)
 {
     const pattern_class *class = r->pattern.parsed.pattern.class;
@@ -220,13 +234,20 @@ static const pigment_node *make_varying(pov_reader *in, pigment_reading *r)
     if (in->failed || r->map.count == 0)
         return NULL;
     node.blend = is_average ? BLEND_AVERAGE : r->map.values ? BLEND_MAP : BLEND_LIST;
-    node.count = r->map.count;
-    node.values = r->map.values;
-    if (r->map.kind == VALUE_COLOUR_MAP)
-        node.colours = r->map.members;
-    else
-        node.pigments = r->map.members;
+    set_members(&node, &r->map);
     node.most = most_of(&node);
+    return textures_pigment(in, &node);
+}
+
+/* The map that a constant keeps for a pattern of another block. NULL: there is none. */
+static const pigment_node *keep_map(pov_reader *in, const map_parsed *map)
+{
+    pigment_node node;
+
+    if (map->kind == VALUE_NOTHING)
+        return NULL;
+    memset(&node, 0, sizeof node);
+    set_members(&node, map);
     return textures_pigment(in, &node);
 }
 
@@ -238,7 +259,7 @@ static void refuse_map(pov_reader *in, const pigment_reading *r)
     if (r->has_colour)
         report_fail(in, &at, POV_E_SYNTAX, "a map needs a pattern that chooses from it, and this pigment is one colour");
     else
-        report_warn(in, &at, "a map has no effect without a pattern: the pigment is black");
+        report_warn(in, &at, "a map has no effect without a pattern: the pigment is black until one follows");
 }
 
 static const pigment_node *make_node(pov_reader *in, pigment_reading *r)
@@ -255,6 +276,7 @@ static const pigment_node *make_node(pov_reader *in, pigment_reading *r)
     node.most = r->constant;
     node.draft = r->draft;
     node.space = parse_pattern_space(in, &r->pattern);
+    node.map = keep_map(in, &r->map);
     return textures_pigment(in, &node);
 }
 

@@ -44,6 +44,18 @@ static void a_map_without_a_pattern_is_black(void **state)
     assert_red("#default { pigment { gradient x } } sphere { 0, 1 pigment { color_map { [0 rgb x] [1 rgb x] } }" LIT "}", 1.0, 0.0);
 }
 
+/* A block without a pattern, or of one colour, leaves the map to the pattern of a later one. */
+static void maps_wait_for_their_pattern(void **state)
+{
+#define MAP "color_map { [0 rgb <1,.5,0>] [1 rgb <1,.5,0>] }"
+    (void)state;
+    assert_red("sphere { 0, 1 pigment { " MAP " } pigment { bozo }" LIT "}", 1.0, 0.5);
+    assert_red("#declare P = pigment { " MAP " } sphere { 0, 1 pigment { P bozo }" LIT "}", 1.0, 0.5);
+    assert_red("sphere { 0, 1 pigment { bozo " MAP " } pigment { rgb 1 } pigment { wood }" LIT "}", 1.0, 0.5);
+    assert_red("sphere { 0, 1 pigment { bozo " MAP " } pigment { rgb y }" LIT "}", 0.0, 1.0);
+#undef MAP
+}
+
 /* Transformations that stand behind the object in its pattern move it, and not the pattern's other points. */
 static void objects_of_patterns_are_moved_in_their_block(void **state)
 {
@@ -130,6 +142,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(members_that_a_list_does_not_give_are_the_defaults),
         cmocka_unit_test(a_map_without_a_pattern_is_black),
+        cmocka_unit_test(maps_wait_for_their_pattern),
         cmocka_unit_test(objects_of_patterns_are_moved_in_their_block),
         cmocka_unit_test(components_of_a_blob_share_by_their_parts_of_the_field),
         cmocka_unit_test(transformations_of_a_component_move_its_texture),
