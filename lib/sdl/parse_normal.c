@@ -28,8 +28,12 @@ static void take_base(normal_reading *r, const normal_node *from)
     r->amount = from->amount;
     r->accuracy = from->accuracy;
     r->is_scaled = from->is_scaled;
-    r->map = (map_parsed){ from->normals ? VALUE_NORMAL_MAP : VALUE_NOTHING, from->count, from->values, from->normals };
-    r->slopes = (map_parsed){ from->slopes ? VALUE_SLOPE_MAP : VALUE_NOTHING, from->count, from->values, from->slopes };
+    memset(&r->map, 0, sizeof r->map);
+    memset(&r->slopes, 0, sizeof r->slopes);
+    if (from->normals)
+        r->map = (map_parsed){ VALUE_NORMAL_MAP, from->count, from->values, from->normals };
+    else if (from->slopes)
+        r->slopes = (map_parsed){ VALUE_SLOPE_MAP, from->count, from->values, from->slopes };
 }
 
 static void take_node(pov_reader *in, void *self, const value *v)
@@ -42,11 +46,14 @@ static void take_node(pov_reader *in, void *self, const value *v)
         r->amount = value_float(in);
 }
 
+/* Of several maps the last one counts. */
 static void read_map(pov_reader *in, void *self, keyword_id keyword)
 {
     normal_reading *r = self;
+    const bool is_slopes = keyword == KEYWORD_SLOPE_MAP;
 
-    parse_map(in, parse_map_kind(keyword), keyword == KEYWORD_SLOPE_MAP ? &r->slopes : &r->map);
+    parse_map(in, parse_map_kind(keyword), is_slopes ? &r->slopes : &r->map);
+    memset(is_slopes ? &r->map : &r->slopes, 0, sizeof r->map);
 }
 
 static void read_number(pov_reader *in, void *self, keyword_id keyword)
@@ -65,6 +72,7 @@ static void read_number(pov_reader *in, void *self, keyword_id keyword)
 static bool read_pattern(pov_reader *in, normal_reading *r)
 {
     const pattern_class *class;
+    bool has_list;
 
     if (!parse_pattern_word(in, &r->pattern))
         return false;
@@ -73,10 +81,11 @@ static bool read_pattern(pov_reader *in, normal_reading *r)
         memset(&r->map, 0, sizeof r->map);
     if (r->pattern.image.has_bump_size)
         r->amount = r->pattern.image.bump_size;
-    if (class->count > 0 && parse_map_list(in, VALUE_NORMAL_MAP, class->count, &r->map))
+    has_list = class->count > 0 && parse_map_list(in, VALUE_NORMAL_MAP, class->count, &r->map);
+    if (has_list)
         parse_map_complete(in, class->count, &r->map);
     parse_pattern_close(in, &r->pattern);
-    if (r->map.count > 0)
+    if (has_list)
         return true;
     state_accept(in, ',');
     if (value_follows(in))

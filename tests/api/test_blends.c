@@ -56,6 +56,37 @@ static void maps_wait_for_their_pattern(void **state)
 #undef MAP
 }
 
+/* The same surface, whichever way its normal is written. */
+static void assert_same_bumps(const char *a, const char *b)
+{
+    enum { W = 12, H = 9 };
+    const char *const normals[2] = { a, b };
+    char text[768];
+    float *p[2];
+
+    for (int k = 0; k < 2; k++) {
+        snprintf(text, sizeof text, EYES "sphere { 0, 1 pigment { rgb 1 } %s }", normals[k]);
+        p[k] = scenes_draw(text, W, H, 1, 1);
+    }
+    assert_memory_equal(p[0], p[1], 4 * W * H * sizeof(float));
+    free(p[0]);
+    free(p[1]);
+}
+
+/* An amount may follow the pattern whatever stood before; of a slope_map and a normal_map the last one counts. */
+static void normals_take_the_map_of_those_before(void **state)
+{
+#define SLOPES "slope_map { [0 <0,1>] [.5 <1,0>] [1 <0,-1>] }"
+#define MEMBERS "normal_map { [0 bumps scale .2] [1 dents] }"
+    (void)state;
+    assert_same_bumps("normal { leopard 1 " SLOPES " } normal { onion .4 }", "normal { onion .4 " SLOPES " }");
+    assert_same_bumps("normal { leopard 1 " MEMBERS " } normal { onion .4 }", "normal { onion " MEMBERS " bump_size .4 }");
+    assert_same_bumps("normal { onion " MEMBERS SLOPES " }", "normal { onion " SLOPES " }");
+    assert_same_bumps("normal { onion " SLOPES MEMBERS " }", "normal { onion " MEMBERS " }");
+#undef SLOPES
+#undef MEMBERS
+}
+
 /* Transformations that stand behind the object in its pattern move it, and not the pattern's other points. */
 static void objects_of_patterns_are_moved_in_their_block(void **state)
 {
@@ -143,6 +174,7 @@ int main(void)
         cmocka_unit_test(members_that_a_list_does_not_give_are_the_defaults),
         cmocka_unit_test(a_map_without_a_pattern_is_black),
         cmocka_unit_test(maps_wait_for_their_pattern),
+        cmocka_unit_test(normals_take_the_map_of_those_before),
         cmocka_unit_test(objects_of_patterns_are_moved_in_their_block),
         cmocka_unit_test(components_of_a_blob_share_by_their_parts_of_the_field),
         cmocka_unit_test(transformations_of_a_component_move_its_texture),
