@@ -21,7 +21,7 @@ pov_status query_context_create(query_context **out, const world *w, pov_error *
     }
     if (w->scratch_bytes > 0)
         k->scratch = env_alloc_aligned(w->env, w->scratch_bytes, SIMD_LINE);
-    k->fresh.always_exact = w->always_exact;
+    k->fresh.always_exact = k->fresh.unfiltered = w->always_exact;
     k->fresh.owner = POV_NO_OWNER;
     k->fresh.capacity = 1;
     k->fresh.scratch = k->scratch;

@@ -443,6 +443,7 @@ static bool is_blocked_exactly(const world *w, query_context *k, const pov_ray *
 
     packet_begin(&p, w, k, &ray, 1, tmax, tmax);
     p.of[0] = (uint8_t)which;
+    p.candidates_only = p.exact == 0;
     p.exact = 1;
     p.any_blocks = any_blocks;
     out->crossed &= ~bit_of(which);

@@ -516,6 +516,7 @@ void csg_traversal_begin(csg_traversal *w, const pov_hits *hits, bool exact)
     w->found.tmax = HUGE_VAL;
     w->found.want = POV_WANT_ALL;
     w->found.always_exact = exact;
+    w->found.unfiltered = hits->unfiltered;
     w->found.at = s->crossings;
     w->found.capacity = s->capacity;
     w->found.grow = grow;

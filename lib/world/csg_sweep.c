@@ -41,7 +41,7 @@ static bool ask(sweep *s, uint32_t column, const pov_hits *hits, asked *out)
 {
     const csg_member *m = member_of(s, column);
     const pov_hits found = { .tmax = HUGE_VAL, .want = POV_WANT_ALL, .at = out->at, .capacity = CROSSINGS, .grow = csg_no_more,
-                             .user = hits->user, .scratch = hits->scratch, .always_exact = s->exact,
+                             .user = hits->user, .scratch = hits->scratch, .always_exact = s->exact, .unfiltered = hits->unfiltered,
                              .owner = s->w->scratch->names + m->leaf };
 
     out->found = found;

@@ -51,7 +51,7 @@ static bool cross_faces(walk *w, uint32_t x, uint32_t z, common_passing low, com
         common_seen p, q;
 
         if (!w->seen)
-            common_triangle_look(r, w->hits->always_exact);
+            common_triangle_look(r, w->hits->unfiltered);
         w->seen = true;
         p = common_triangle_see(r, &b);
         q = common_triangle_see(r, &c);

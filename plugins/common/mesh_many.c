@@ -46,7 +46,7 @@ static common_triangle_ray *enter(search *s, uint32_t i)
 {
     if (!(s->entered & bit_of(i))) {
         s->entered |= bit_of(i);
-        common_triangle_enter(&s->exact[i], s->rays[i], s->mesh->anchor, s->mesh->scale, s->hits[i]->always_exact);
+        common_triangle_enter(&s->exact[i], s->rays[i], s->mesh->anchor, s->mesh->scale, s->hits[i]->unfiltered);
     }
     return &s->exact[i];
 }

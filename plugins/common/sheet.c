@@ -174,7 +174,7 @@ static void enter(visit *v)
 {
     if (v->entered)
         return;
-    common_triangle_enter(&v->through, v->ray, v->s->anchor, v->s->scale, v->hits->always_exact);
+    common_triangle_enter(&v->through, v->ray, v->s->anchor, v->s->scale, v->hits->unfiltered);
     v->view = common_face_view_of(&v->through.view);
     v->entered = true;
 }

@@ -140,7 +140,7 @@ bool common_triangle_cross(common_triangle_ray *r, const pov_vec3 *a, const pov_
 
     if (verdict == COMMON_OUTSIDE)
         return true;
-    if (verdict == COMMON_OPEN || r->view.exact) {
+    if (verdict == COMMON_OPEN || r->view.exact || hits->always_exact) {
         const pov_two3 normal = exact_normal(a, b, c);
 
         r->view.escalated = true;

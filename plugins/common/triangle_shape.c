@@ -38,7 +38,7 @@ void common_triangle_intersect(const void *self, const pov_ray *ray, pov_hits *h
 
     if (!t->seen || ray->origin_surface == hits->owner)
         return;
-    common_triangle_enter(&r, ray, c[0], t->scale, hits->always_exact);
+    common_triangle_enter(&r, ray, c[0], t->scale, hits->unfiltered);
     if (common_triangle_is_hit(&r, &c[0], &c[1], &c[2]))
         common_triangle_cross(&r, &c[0], &c[1], &c[2], common_mark(0, POV_MARK_OUTWARD), hits);
     hits->escalated += r.view.escalated;

@@ -383,7 +383,7 @@ static void intersect(const void *self, const pov_ray *ray, pov_hits *hits)
     verdict = common_judge(&root, k.unit, COMMON_FINE, hits);
     if (verdict == COMMON_OUTSIDE)
         return;
-    view = common_view_make(ray->org, ray->org_lo, &k, w, hits->always_exact);
+    view = common_view_make(ray->org, ray->org_lo, &k, w, hits->unfiltered);
     if (is_within(s, &view)) {
         if (verdict == COMMON_OPEN || hits->always_exact) {
             view.escalated = true;

@@ -149,6 +149,25 @@ END
     says out "box_escalated: 0 intersections"
 }
 
+# Light ends on the surface that its lamp lies in: of other triangles and of edges filters decide.
+reports_lamps_in_surfaces_are_told_by_their_distance() {
+    cat > lamp.pov <<'END'
+#version 3.7;
+#default { pigment { rgb 1 } }
+camera { location <0, 1, -2> look_at <0, 0, 0> }
+light_source { <0.5, 2, 0.25>, 1 }
+triangle { <-4, 0, -4>, <4, 0, -4>, <4, 0, 4> }
+triangle { <-4, 0, -4>, <-4, 0, 4>, <4, 0, 4> }
+triangle { <-4, 2, -4>, <4, 2, -4>, <4, 2, 4> }
+triangle { <-4, 2, -4>, <-4, 2, 4>, <4, 2, 4> }
+triangle { <-1, 0, -1>, <-1, 3, -1>, <-1, 3, 3> }
+triangle { <1, 0, -1>, <1, 3, -1>, <1, 3, 3> }
+END
+    expect 0 "$povc" lamp.pov 40 30 o.png --stats
+    says out "rays_shadow: 1014 rays"
+    says out "triangle_escalated: 999 intersections"
+}
+
 # Defect 29 of the review.
 reports_defect_29_name_what_a_run_is_repeated_with() {
     small_scene

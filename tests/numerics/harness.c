@@ -355,7 +355,7 @@ static double time_round(const harness *h, const contender *c)
     for (i = 0; i < h->made; i++) {
         const shape_class *shape = c->shape[h->probes[i].kind];
         pov_crossing at;
-        pov_hits hits = { 0.0, HUGE_VAL, POV_WANT_NEAREST, c->how->always_exact, false, OWNER, 0, 1, 0, &at, NULL, NULL, false, NULL, 0.0, false };
+        pov_hits hits = { 0.0, HUGE_VAL, POV_WANT_NEAREST, c->how->always_exact, false, OWNER, 0, 1, 0, &at, NULL, NULL, false, NULL, 0.0, false, c->how->always_exact };
 
         shape->intersect(instance(h, c, i), &h->probes[i].ray, &hits);
     }

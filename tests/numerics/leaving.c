@@ -8,7 +8,7 @@
 
 uint32_t subject_ask(const subject *s, const pov_ray *ray, pov_crossing at[CROSSINGS_MAX], uint32_t *escalated)
 {
-    pov_hits hits = { 0.0, HUGE_VAL, POV_WANT_ALL, s->always_exact, false, OWNER, 0, CROSSINGS_MAX, 0, at, NULL, NULL, false, NULL, 0.0, false };
+    pov_hits hits = { 0.0, HUGE_VAL, POV_WANT_ALL, s->always_exact, false, OWNER, 0, CROSSINGS_MAX, 0, at, NULL, NULL, false, NULL, 0.0, false, s->always_exact };
     uint32_t i, j;
 
     s->shape->intersect(s->self, ray, &hits);

@@ -82,7 +82,7 @@ static int count_hits(const fan *f, const shape_class *shape, const pov_ray *ray
 
     for (i = 0; i < f->count; i++) {
         pov_crossing at[2];
-        pov_hits hits = { -HUGE_VAL, HUGE_VAL, POV_WANT_ALL, always_exact, false, 0, 0, 2, 0, at, NULL, NULL, false, NULL, 0.0, false };
+        pov_hits hits = { -HUGE_VAL, HUGE_VAL, POV_WANT_ALL, always_exact, false, 0, 0, 2, 0, at, NULL, NULL, false, NULL, 0.0, false, always_exact };
 
         shape->intersect(f->triangle[i], ray, &hits);
         hits_found += (int)hits.count;
@@ -188,7 +188,7 @@ static int hits_of(const shape_class *shape, void *const *squares, int count, co
 
     for (i = 0; i < count; i++) {
         pov_crossing at[2];
-        pov_hits hits = { 0.0, HUGE_VAL, POV_WANT_ALL, false, false, 0, 0, 2, 0, at, NULL, NULL, false, NULL, 0.0, false };
+        pov_hits hits = { 0.0, HUGE_VAL, POV_WANT_ALL, false, false, 0, 0, 2, 0, at, NULL, NULL, false, NULL, 0.0, false, false };
 
         shape->intersect(squares[i], ray, &hits);
         found += (int)hits.count;

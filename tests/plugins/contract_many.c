@@ -58,6 +58,7 @@ static pov_hits any_question(const thing *t, const pov_ray *ray, pov_crossing *a
     hits.tmin = subject_uniform() < 0.8 ? 0.0 : scale * subject_uniform();
     hits.tmax = subject_uniform() < 0.5 ? HUGE_VAL : hits.tmin + 20.0 * scale * subject_uniform();
     hits.always_exact = subject_uniform() < 0.02;
+    hits.unfiltered = hits.always_exact && subject_uniform() < 0.5;
     hits.owner = OWNER;
     hits.capacity = 1;
     hits.at = at;

@@ -367,7 +367,7 @@ uint32_t subject_ask_in(const void *self, const pov_ray *ray, pov_want want, dou
     hits.tmin = tmin;
     hits.tmax = tmax;
     hits.want = want;
-    hits.always_exact = exact;
+    hits.always_exact = hits.unfiltered = exact;
     hits.owner = OWNER;
     hits.capacity = MOST;
     hits.at = at;

@@ -43,8 +43,7 @@ typedef struct pov_hits {
     double tmin, tmax;             /* open interval */
     pov_want want;
     bool always_exact;             /* use double-double arithmetic throughout */
-    bool count_only;               /* ALL: t may be inaccurate, as long as each reported crossing is definitely in the
-                                    * interval */
+    bool count_only;               /* ALL: t may be inaccurate, as long as each crossing is definitely in the interval */
     uint32_t owner;                /* the tested object: compare with ray->origin_surface */
     uint32_t count, capacity;
     uint32_t escalated;            /* add one for each crossing or miss that double-double decided */
@@ -55,6 +54,7 @@ typedef struct pov_hits {
     void *scratch;                 /* working memory of this thread, of the size that scratch() returns */
     double slack;                  /* where above zero: crossings so near tmax only set near_end; the host decides */
     bool near_end;
+    bool unfiltered;               /* with always_exact: sides of edges, too, though what filters say of them is certain */
 } pov_hits;
 
 /* Distances that differ by less than this fraction may be equal: twice the error of crossings, with a margin. */
