@@ -50,7 +50,7 @@ bool brdf_cosines(light_sample *s, const geometry *g, const vec_lanes *dir, bool
 
     if (found & ODD_DIR)
         for (uint32_t i = 0; i < n; i++)
-            set_lane(s, g, g->shading, true, i, pov_unit(lanes_at(dir, i)));
+            set_lane(s, g, g->shading, shines, i, pov_unit(lanes_at(dir, i)));
     return found != 0;
 }
 
