@@ -197,21 +197,11 @@ static void leaving_a_solid_in_one_that_was_entered_later_reflects_by_both(void 
 
 static float *spheres_with(const char *more)
 {
-    pov_render_desc desc = POV_INIT(desc);
-    pov_context *context = scenes_context();
-    pov_scene *scene;
     char text[1024];
-    float *picture;
 
     snprintf(text, sizeof text, "#version 3.7; global_settings { assumed_gamma 1 } camera { location <0.17, 1.39, -4.2> look_at <0.16, 0.45, -0.24> }\n"
              "background { rgb <.2, .4, .6> } sphere { 0.5, 1 pigment { rgbt 0.9 } interior { ior 1.81 } } sphere { 0, 1 pigment { rgbt 0.9 } } %s", more);
-    scene = scenes_text(context, text);
-    desc.width = 40;
-    desc.height = 30;
-    picture = scenes_render(scene, &desc);
-    pov_scene_destroy(scene);
-    pov_context_destroy(context);
-    return picture;
+    return scenes_draw(text, 40, 30, 0, 0);
 }
 
 /* Their rays go on beside others that have entered something. */

@@ -78,21 +78,11 @@ static void the_last_sky_counts_and_emission_scales_its_own_light(void **state)
 /* Of a sphere that mirrors, before a sky. */
 static float *draw_before(const char *sky)
 {
-    pov_render_desc desc = POV_INIT(desc);
-    pov_context *context = scenes_context();
-    pov_scene *scene;
     char text[512];
-    float *picture;
 
     snprintf(text, sizeof text, "#version 3.7; global_settings { assumed_gamma 1 } camera { location -4*z look_at 0 } %s "
              "sphere { 0, 1 pigment { rgb .3 } finish { reflection <.7, .4, .9> } }", sky);
-    scene = scenes_text(context, text);
-    desc.width = 24;
-    desc.height = 18;
-    picture = scenes_render(scene, &desc);
-    pov_scene_destroy(scene);
-    pov_context_destroy(context);
-    return picture;
+    return scenes_draw(text, 24, 18, 0, 0);
 }
 
 /* A sky of one colour is known without its directions. */
