@@ -255,14 +255,13 @@ const image *image_file_parse(pov_reader *in, image_gamma *given, bool colours)
         value_vector(in);
         state_accept(in, ',');
     }
-    if (state_accept_keyword(in, KEYWORD_FUNCTION)) {
-        found = image_function_parse(in, colours);
-    } else {
-        format = parse_format(in);
-        name = value_text(in);
-        if (name)
-            found = image_file_read(in, name, format);
-    }
+    memset(given, 0, sizeof *given);
+    if (state_accept_keyword(in, KEYWORD_FUNCTION))
+        return image_function_parse(in, colours);
+    format = parse_format(in);
+    name = value_text(in);
+    if (name)
+        found = image_file_read(in, name, format);
     parse_gamma(in, given);
     return in->failed ? NULL : found;
 }

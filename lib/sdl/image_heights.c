@@ -61,22 +61,30 @@ static uint16_t decoded_height_at(const image *of, const image_gamma *given, con
     return height_of(65535.0 * (0.297 * first + 0.589 * level(of, given, at, 1) + 0.114 * level(of, given, at, 2)));
 }
 
-const uint16_t *image_heights_read(pov_reader *in, uint32_t *width, uint32_t *height)
+static const uint16_t *convert(pov_reader *in, const image *of, const image_gamma *given)
 {
-    image_gamma given;
-    const image *of = image_file_parse(in, &given, false);
-    uint16_t *out = of ? state_alloc(in, sizeof *out * of->width * of->height, 16) : NULL;
+    uint16_t *const out = state_alloc(in, sizeof *out * of->width * of->height, 16);
 
-    *width = *height = 0;
     if (!out)
         return NULL;
     for (uint32_t y = 0; y < of->height; y++)
         for (uint32_t x = 0; x < of->width; x++) {
             const unsigned char *at = of->samples + y * of->stride + x * (of->channels * of->bits / 8);
 
-            out[(size_t)y * of->width + x] = given.is_given ? decoded_height_at(of, &given, at) : height_at(of, at);
+            out[(size_t)y * of->width + x] = given->is_given ? decoded_height_at(of, given, at) : height_at(of, at);
         }
-    *width = of->width;
-    *height = of->height;
     return out;
+}
+
+/* Those of 16 bits of grey are heights as they stand, as a function makes them. */
+const uint16_t *image_heights_read(pov_reader *in, uint32_t *width, uint32_t *height)
+{
+    image_gamma given;
+    const image *of = image_file_parse(in, &given, true);
+
+    *width = of ? of->width : 0;
+    *height = of ? of->height : 0;
+    if (of && of->bits == 16 && of->channels == 1 && of->stride == sizeof(uint16_t) * of->width && !given.is_given)
+        return (const uint16_t *)(const void *)of->samples;
+    return of ? convert(in, of, &given) : NULL;
 }

@@ -8,70 +8,15 @@ typedef common_heights height_field;
 
 /* ---- loading ---- */
 
-static uint16_t *room(const height_field *f, const pov_host *host, pov_reader *in)
-{
-    return host->alloc(in, (size_t)f->wide * f->deep * sizeof(uint16_t));
-}
-
-static void read_image(height_field *f, const pov_host *host, pov_reader *in)
+/* Rows of an image come from the top. */
+static void read_heights(height_field *f, const pov_host *host, pov_reader *in)
 {
     const uint16_t *at = host->heights(in, &f->wide, &f->deep);
-    uint16_t *out = at ? room(f, host, in) : NULL;
+    const size_t row = at ? f->wide * sizeof *at : 0;
+    uint16_t *out = at ? host->alloc(in, f->deep * row) : NULL;
 
     for (uint32_t z = 0; out && z < f->deep; z++)
-        memcpy(out + (size_t)z * f->wide, at + (size_t)(f->deep - 1 - z) * f->wide, f->wide * sizeof *out);
-    f->height = out;
-}
-
-static uint32_t read_count(const pov_host *host, pov_reader *in)
-{
-    const double n = host->number(in);
-
-    if (!(n >= 2.0 && n <= 65536.0))
-        host->fail(in, "a height_field needs 2 to 65536 points a side");
-    return n >= 2.0 && n <= 65536.0 ? (uint32_t)n : 2;
-}
-
-/* Beyond 0 and 1 the lowest 16 bits count, as in POV-Ray. */
-static uint16_t height_of(double value)
-{
-    const double whole = 65535.0 * value;
-
-    return whole > -0x1p31 && whole < 0x1p31 ? (uint16_t)(int32_t)whole : 0;
-}
-
-/* Those from column x on. */
-static void read_values(const height_field *f, const pov_function *of, double *memory, uint32_t x, uint32_t z, uint16_t *out)
-{
-    const uint32_t n = f->wide - x < POV_VALUES ? f->wide - x : POV_VALUES;
-    double at[3][POV_VALUES], values[POV_VALUES];
-
-    for (uint32_t i = 0; i < POV_VALUES; i++) {
-        at[0][i] = (x + i) / (f->wide - 1.0);
-        at[1][i] = 1.0 - z / (f->deep - 1.0);
-        at[2][i] = 0.0;
-    }
-    of->values(of, at[0], n, memory, values);
-    for (uint32_t i = 0; i < n; i++)
-        out[i] = height_of(values[i]);
-}
-
-/* As if it were an image of 16 bits, whose rows come from the top. */
-static void read_function(height_field *f, const pov_host *host, pov_reader *in)
-{
-    const pov_function *of;
-    double *memory;
-    uint16_t *out;
-
-    f->wide = read_count(host, in);
-    host->accept(in, ",");
-    f->deep = read_count(host, in);
-    of = host->function(in, 3);
-    memory = of ? host->alloc(in, of->memory_many * sizeof *memory) : NULL;
-    out = memory ? room(f, host, in) : NULL;
-    for (uint32_t z = 0; out && z < f->deep; z++)
-        for (uint32_t x = 0; x < f->wide; x += POV_VALUES)
-            read_values(f, of, memory, x, z, out + (size_t)z * f->wide + x);
+        memcpy(out + (size_t)z * f->wide, at + (size_t)(f->deep - 1 - z) * f->wide, row);
     f->height = out;
 }
 
@@ -117,10 +62,7 @@ static void parse(void *self, const pov_host *host, pov_reader *in)
     height_field *f = self;
     bool read = true;
 
-    if (host->accept(in, "function"))
-        read_function(f, host, in);
-    else
-        read_image(f, host, in);
+    read_heights(f, host, in);
     while (read) {
         read = false;
         if (host->accept(in, "smooth")) {

@@ -73,6 +73,9 @@ messages_about_functions_that_make_images_say_where() {
     expect 1 "$povc" --check --limit images=647999999 large.pov
     says err "error: this image takes 648000000 bytes, of 647999999 that images may still take"
     says err "large.pov:2:"
+    printf '#version 3.7;\nheight_field { function 9000, 9000 { pigment { granite } } }\n' > large.pov
+    expect 1 "$povc" --check --limit seconds=.1 large.pov
+    says err "error: reading takes longer than 0.1 seconds"
 }
 
 # F6 of the review: no ceiling on memory for input.

@@ -216,6 +216,17 @@ static void values_of_functions_beyond_0_and_1_come_round(void **state)
     }
 }
 
+/* .297 + .406 y of <1 - y, y, y>, as measured in POV-Ray. */
+static void heights_of_a_pigment_are_its_brightness(void **state)
+{
+    bench b;
+
+    (void)state;
+    assert_int_equal(read_scene(&b, "} #declare H = height_field { function 5, 4 { pigment { gradient y color_map { [0 rgb x] [1 rgb <0, 1, 1>] } } } };\n"
+                                    "#if (abs(trace(H, <.3, 9, .4>, -y).y - .54058) > 1e-4) #error \"its height\" #end sphere { 0, 1"), POV_OK);
+    end(&b);
+}
+
 /* As POV-Ray has it; the filter is lost. */
 static void a_pigment_makes_an_image_of_its_colours(void **state)
 {
@@ -392,6 +403,7 @@ int main(void)
         cmocka_unit_test(between_pixels_every_method_meets_them),
         cmocka_unit_test(a_function_makes_an_image_of_grey),
         cmocka_unit_test(values_of_functions_beyond_0_and_1_come_round),
+        cmocka_unit_test(heights_of_a_pigment_are_its_brightness),
         cmocka_unit_test(a_pigment_makes_an_image_of_its_colours),
         cmocka_unit_test(values_of_images_do_not_depend_on_the_assumed_gamma),
         cmocka_unit_test(heights_are_decoded_by_the_gamma_that_is_given),
