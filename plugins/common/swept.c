@@ -155,7 +155,7 @@ static bool begins_in_cone(const walk *w, pov_vec3 p)
 }
 
 /* Crossings of the line with the sweep, and where it begins inside: all but those that certainly are before `ahead` or behind `last`, or
- * in no interval between the planes. */
+ * in no interval between the planes. That one which the ray starts on is where it starts: a plane in the edge there comes before or behind it. */
 static void find_crossings(walk *w, common_cross *room, double ahead, double last)
 {
     const pov_vec3 p = pov_two3_hi(common_along_two(w->k, w->base));
@@ -178,6 +178,8 @@ static void find_crossings(walk *w, common_cross *room, double ahead, double las
         w->odd = common_outline_inside(&w->s->outline, a);
     }
     w->start = find_start(w);
+    if (w->start < w->count)
+        room[w->start].s = 0.0;
 }
 
 static bool report(const walk *w, pov_two t, uint32_t feature, double u, bool entering, pov_hits *hits)

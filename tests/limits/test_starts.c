@@ -167,11 +167,43 @@ static long expect_places(void *context, int accuracy)
 static void n1_what_lies_at_the_start_is_not_ahead(void **state) { assert_int_equal(expect_places(*state, 0), 0); }
 static void n1_nor_is_it_in_double_double(void **state) { assert_int_equal(expect_places(*state, 1), 0); }
 
+static float *draw_by(pov_context *context, const char *text, pov_accel accel)
+{
+    pov_load_desc load = POV_INIT(load);
+    pov_render_desc d = POV_INIT(d);
+    pov_scene *scene;
+    pov_error err;
+    float *picture;
+
+    load.accel = accel;
+    d.width = 40;
+    d.height = 30;
+    if (pov_scene_load_text(&scene, context, text, strlen(text), NULL, &load, &err) < 0)
+        fail_msg("%s", err.message);
+    picture = scenes_render(scene, &d);
+    pov_scene_destroy(scene);
+    return picture;
+}
+
+/* Rows of the picture lie on the edge of a side and the cap above it. */
+static void light_that_starts_on_an_edge_crosses_no_cap(void **state)
+{
+    static const char text[] = "#version 3.7; camera { orthographic location <0,0,-100> right 80*4/3*x up 80*y look_at 0 }"
+        "light_source { <100,100,-200> rgb 1 } prism { -.5, .5, 4, <-1,-.3>, <1,0>, <-1,.3>, <-1,-.3> scale 12 "
+        "translate <35,-10,0> pigment { rgbt <1,1,1,.9> } finish { ambient 0 diffuse 1 } }";
+    float *tree = draw_by(*state, text, POV_ACCEL_TREE), *list = draw_by(*state, text, POV_ACCEL_NONE);
+
+    assert_memory_equal(tree, list, 40 * 30 * 4 * sizeof *tree);
+    free(tree);
+    free(list);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test_setup_teardown(n1_what_lies_at_the_start_is_not_ahead, begin, end),
         cmocka_unit_test_setup_teardown(n1_nor_is_it_in_double_double, begin, end),
+        cmocka_unit_test_setup_teardown(light_that_starts_on_an_edge_crosses_no_cap, begin, end),
     };
 
     return cmocka_run_group_tests(tests, NULL, NULL);
