@@ -46,6 +46,17 @@ static void a_shape_takes_in_its_transformations(void **state)
     assert_width("ovus { .5, .25 }", 1.0);
 }
 
+/* What counts steps along an object asks for whole numbers, as floor() does. */
+static void extents_have_no_roundings(void **state)
+{
+    (void)state;
+    assert_value("#declare S = sphere { 0, 1 }", "ceil(max_extent(S).y) - floor(min_extent(S).x)", 2.0);
+    assert_value("#declare S = cylinder { 0, 3*y, .5 }", "ceil(max_extent(S).y) - floor(min_extent(S).y)", 3.0);
+    assert_value("#declare S = sphere_sweep { linear_spline 2, 0, .5, x, .5 }", "ceil(2 * max_extent(S).x)", 3.0);
+    assert_value("#declare S = sphere { 0, 1e-30 scale 1e35 }", "ceil(max_extent(S).x / 1e5)", 1.0);
+    assert_value("#declare S = union { plane { y, 0 } }", "min_extent(S).x / -1e10", 1.0);
+}
+
 static void what_clips_or_bounds_an_object_narrows_its_box(void **state)
 {
     (void)state;
@@ -127,7 +138,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_shape_takes_in_its_transformations),
-        cmocka_unit_test(what_clips_or_bounds_an_object_narrows_its_box),
+        cmocka_unit_test(extents_have_no_roundings), cmocka_unit_test(what_clips_or_bounds_an_object_narrows_its_box),
         cmocka_unit_test(the_box_of_a_curve_is_its_own),
         cmocka_unit_test(a_shape_of_any_plugin_may_have_a_name),
         cmocka_unit_test(each_transformation_of_a_group_moves_the_box_before_it),
