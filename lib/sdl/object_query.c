@@ -10,31 +10,20 @@
 
 static bool holds_as(pov_reader *in, const object_parsed *o, pov_vec3 point, bool cuts);
 
-/* Does the group hold a point that `but`, one of its members, is taken to hold, or not to? */
-static bool group_holds(pov_reader *in, const object_parsed *o, pov_vec3 point, const object_parsed *but,
-                        bool but_holds)
+/* Does the group hold a point that `but`, one of its members, is taken to hold, or not to? If it is turned, does its complement: what
+ * the complements of members make of it, as a surface or what is clipped has one of its own. */
+static bool group_holds(pov_reader *in, const object_parsed *o, pov_vec3 point, bool turned, const object_parsed *but, bool but_holds)
 {
-    const object_parsed *member;
-    bool is_first = true;
+    const bool any = (o->op == NODE_UNION || o->op == NODE_MERGE) != turned;
 
-    for (member = o->first; member; member = member->next, is_first = false) {
-        const bool cuts = o->op == NODE_DIFFERENCE && !is_first;
+    for (const object_parsed *member = o->first; member; member = member->next) {
+        const bool cuts = (o->op == NODE_DIFFERENCE && member != o->first) != turned;
         const bool holds = member == but ? but_holds != cuts : holds_as(in, member, point, cuts);
 
-        switch (o->op) {
-        case NODE_UNION: case NODE_MERGE:
-            if (holds)
-                return true;
-            break;
-        case NODE_INTERSECTION: case NODE_DIFFERENCE:
-            if (!holds)
-                return false;
-            break;
-        case NODE_CLIP:          /* no statement makes one */
-            break;
-        }
+        if (holds == any)
+            return any;
     }
-    return o->first && (o->op == NODE_INTERSECTION || o->op == NODE_DIFFERENCE);
+    return o->first ? !any : turned;
 }
 
 /* Is the point in all that clips the object? Of its transformations only those behind a clip move this one. */
@@ -72,7 +61,7 @@ static bool holds_as(pov_reader *in, const object_parsed *o, pov_vec3 point, boo
         holds = shape_is_solid(s.shape, o->leaf.instance) ? s.shape->inside(s.self, point, zero) : turned;
         subject_end(in, &s);
     } else if (o->kind == OBJECT_GROUP) {
-        holds = group_holds(in, o, point, NULL, false);
+        return group_holds(in, o, point, turned, NULL, false);
     }
     return holds != turned;
 }
@@ -180,9 +169,9 @@ static bool is_surface(pov_reader *in, const object_parsed *o, const object_pars
     const pov_vec3 point = pov_add(ray->org, pov_scale(ray->dir, t));
 
     if (is_sheet(member))
-        return group_holds(in, o, point, member, true) != group_holds(in, o, point, member, false);
-    return group_holds(in, o, pov_add(ray->org, pov_scale(ray->dir, t - step)), NULL, false) !=
-           group_holds(in, o, pov_add(ray->org, pov_scale(ray->dir, t + step)), NULL, false);
+        return group_holds(in, o, point, false, member, true) != group_holds(in, o, point, false, member, false);
+    return group_holds(in, o, pov_add(ray->org, pov_scale(ray->dir, t - step)), false, NULL, false) !=
+           group_holds(in, o, pov_add(ray->org, pov_scale(ray->dir, t + step)), false, NULL, false);
 }
 
 /* A crossing may lie a little behind its distance as a double: it is not met again. */

@@ -45,18 +45,20 @@ static node_ref add_member(making *k, uint32_t leaf, uint32_t node, inherited fr
     return which;
 }
 
-static bool has_clip(const model *m, const group_node *g)
+/* Is one of its members a surface, or clipped? */
+static bool has_own_complements(const model *m, const group_node *g)
 {
     for (uint32_t i = 0; i < g->child_count; i++) {
         const node_ref child = m->children.items[g->child + i];
 
-        if ((child & NODE_GROUP) && (group_at(m, child)->op == NODE_CLIP || has_clip(m, group_at(m, child))))
+        if (!(child & NODE_GROUP) ? !shape_is_solid(m->leaves.items[child].shape, m->leaves.items[child].instance)
+                                  : group_at(m, child)->op == NODE_CLIP || has_own_complements(m, group_at(m, child)))
             return true;
     }
     return false;
 }
 
-/* The complement of a group whose members are clipped: of a union what the complements of its children have in common, else what
+/* The complement of a group whose members have their own, as what is clipped has, and a surface, which stays one: of a union what the complements of its children have in common, else what
  * any of them holds. */
 static node_ref add_complement(making *k, const group_node *g, uint32_t parent, inherited from)
 {
@@ -107,8 +109,8 @@ static node_ref add_node(making *k, node_ref node, uint32_t parent, inherited fr
 
     if (!g)
         return add_member(k, node, parent, from);
-    return g->op != NODE_CLIP && from.complement != g->inverse && has_clip(k->model, g) ? add_complement(k, g, parent, from)
-                                                                                          : add_group(k, g, parent, from);
+    return g->op != NODE_CLIP && from.complement != g->inverse && has_own_complements(k->model, g)
+               ? add_complement(k, g, parent, from) : add_group(k, g, parent, from);
 }
 
 /* ---- values where no member is entered ---- */

@@ -124,6 +124,10 @@ static void a_triangle_holds_nothing(void **state)
     (void)state;
     assert_value(TRACED("difference { sphere { 0, 1 } triangle { <-2,-2,.5>, <2,-2,.5>, <0,2,.5> } }"), "P.z", 0.5);
     assert_value("#declare S = union { triangle { x, y, z } sphere { 0, 1 } }", "1 + inside(S, <9,9,9>)", 1.0);
+    assert_value("#declare S = difference { box { -1, 1 } union { triangle { x, y, z } sphere { 0, .2 } } }", "1 + inside(S, .9)", 1.0);
+    assert_value("#declare S = difference { box { -1, 1 } intersection { triangle { x, y, z } sphere { 0, .2 } } }", "1 + inside(S, .1)", 1.0);
+    assert_value("#declare S = difference { box { -1, 1 } difference { triangle { x, y, z } sphere { 0, .2 } } }", "1 + inside(S, .1)", 2.0);
+    assert_value("#declare S = object { union { box { -1, 1 } triangle { x, y, z } } inverse }", "1 + inside(S, 9)", 1.0);
 }
 
 /* A member that ends where another is met again and again by rays of an oblique map. */
