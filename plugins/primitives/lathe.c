@@ -96,7 +96,15 @@ static void find_gaps(lathe *l)
         l->open |= l->outline.count < 4096 && (!is_joined(l, i, 0) || !is_joined(l, i, l->outline.at[i].degree));
 }
 
-static void place(lathe *l, const pov_host *host, pov_reader *in)
+/* Nearer to the axis than all of the curve is outside; of bezier splines their points count, as in POV-Ray. */
+static void take_in_points(common_outline *o)
+{
+    for (uint32_t i = 0; i < o->count; i++)
+        for (uint32_t k = 0; k <= o->at[i].degree; k++)
+            o->lo[0] = fmin(o->lo[0], o->at[i].x[k]);
+}
+
+static void place(lathe *l, common_spline kind, const pov_host *host, pov_reader *in)
 {
     double middle[2] = { 0.0, 0.0 };
 
@@ -111,6 +119,8 @@ static void place(lathe *l, const pov_host *host, pov_reader *in)
     l->boxed.lo = pov_vec3_of(-l->wide, -l->high, -l->wide);
     l->boxed.hi = pov_vec3_of(l->wide, l->high, l->wide);
     common_outline_place(&l->outline, middle, l->boxed.scale);
+    if (kind == COMMON_BEZIER)
+        take_in_points(&l->outline);
     find_gaps(l);
     common_sides_find(&l->sides, &l->outline, host, in);
     l->parts = host->alloc(in, l->outline.count * sizeof *l->parts);
@@ -150,7 +160,7 @@ static void parse(void *self, const pov_host *host, pov_reader *in)
         add_pieces(l, host, in, kind, at, n);
     common_sturm_read(host, in);
     if (l->outline.count > 0)
-        place(l, host, in);
+        place(l, kind, host, in);
 }
 
 static bool bounds(const void *self, pov_box *out)

@@ -138,6 +138,18 @@ static void no_crossing_is_met_twice(void **state)
                         "sphere { 0, .1 rotate 12*y } }"), "vlength(P)", 0.1);
 }
 
+/* By the points of its splines, as in POV-Ray. */
+static void a_lathe_of_bezier_splines_has_no_inside_nearer_than_its_points(void **state)
+{
+    static const char lathe[] = "#declare S = lathe { bezier_spline 4, <.945,-1>, <.2,-.723>, <.342,.18>, <.858,.966> }";
+
+    (void)state;
+    assert_value(lathe, "1 + inside(S, <.19,0,0>)", 1.0);
+    assert_value(lathe, "1 + inside(S, <.21,0,0>)", 2.0);
+    assert_value(lathe, "1 + inside(S, <.43,0,0>)", 2.0);
+    assert_value(lathe, "1 + inside(S, <.5,0,0>)", 1.0);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -149,6 +161,7 @@ int main(void)
         cmocka_unit_test(what_is_clipped_away_is_not_met),
         cmocka_unit_test(a_point_is_inside_where_the_clips_are),
         cmocka_unit_test(a_triangle_holds_nothing),
+        cmocka_unit_test(a_lathe_of_bezier_splines_has_no_inside_nearer_than_its_points),
         cmocka_unit_test(no_crossing_is_met_twice),
     };
 
