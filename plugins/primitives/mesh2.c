@@ -227,6 +227,10 @@ static bool check_indices(reading *r, common_face **own, uint32_t own_count, con
 {
     common_mesh_parts *p = &r->parts;
 
+    if (!items && own_count > 0) {
+        r->host->fail(r->in, "there are %s indices, but no %s vectors", what, what);
+        return false;
+    }
     if (!items) {
         *own = replace(r, *own, NULL);
         return true;

@@ -100,6 +100,10 @@ static void what_makes_no_shape_is_refused(void **state)
         { "mesh2", "vertex_vectors { 1e99, <0,0,0> } face_indices { 1, <0,1,2> }", 0, "whole number" },
         { "mesh2", "vertex_vectors { 3, <0,0,0>, <1,0,0>, <0,1,0> } normal_vectors { 1, <0,0,1> } "
                    "face_indices { 1, <0,1,2> }", 0, "normal indices are missing" },
+        { "mesh2", "vertex_vectors { 3, <0,0,0>, <1,0,0>, <0,1,0> } face_indices { 1, <0,1,2> } normal_indices { 1, <0,1,2> }", 0,
+                   "there are normal indices, but no normal vectors" },
+        { "mesh2", "vertex_vectors { 3, <0,0,0>, <1,0,0>, <0,1,0> } face_indices { 1, <0,1,2> } uv_indices { 1, <0,1,2> }", 0,
+                   "there are uv indices, but no uv vectors" },
         { "mesh2", "vertex_vectors { 3, <0,0,0>, <1,0,0>, <0,1,0> } texture_list { 1, texture { 0 } } "
                    "face_indices { 1, <0,1,2>, 1 }", 0, "no number 1" },
         { "polygon", "3.5, <0, 0, 0>, <1, 0, 0>, <0, 1, 0>", 0, "whole number" },
