@@ -306,6 +306,69 @@ static void add_light_group(pov_reader *in, const object_parsed *o, const around
 /* False: there is nothing for its group to hold, or the reader has failed. */
 static bool add(pov_reader *in, const object_parsed *o, const around *a, node_ref *out);
 
+static bool is_unpictured(const object_parsed *member, const object_parsed *of) { return (member->flags & ~of->flags & LEAF_NO_IMAGE) != 0; }
+
+/* Is it a merge, in nothing but unions, of whose members the camera does not see some? For its rays it is one of the others, as in
+ * POV-Ray. */
+static bool is_parted(const object_parsed *o, const around *a)
+{
+    bool is_seen = false, is_hidden = false;
+
+    for (; a; a = a->outer)
+        if (!is_union(a->group) || (a->group->flags & LEAF_INVERSE))
+            return false;
+    for (const object_parsed *member = o->first; member; member = member->next)
+        *(is_unpictured(member, o) ? &is_hidden : &is_seen) = true;
+    return o->op == NODE_MERGE && !(o->flags & LEAF_INVERSE) && is_hidden && is_seen;
+}
+
+/* Of a merge that is parted those that the camera sees, or the others. */
+typedef enum members { ALL, SEEN, HIDDEN } members;
+
+static bool is_one_of(members which, const object_parsed *member, const object_parsed *o)
+{
+    return which == ALL || (which == HIDDEN) == is_unpictured(member, o);
+}
+
+/* False: there is nothing for a group to hold, or the reader has failed. */
+static bool add_members(pov_reader *in, around *here, members which, const group_node *shape, node_ref *out)
+{
+    const object_parsed *o = here->group;
+    node_list children = { NULL, 0, 0 };
+    node_ref child;
+
+    for (const object_parsed *member = o->first; member && !in->failed; member = member->next) {
+        bool added;
+
+        if (!is_one_of(which, member, o))
+            continue;
+        here->cuts = o->op == NODE_DIFFERENCE && member != o->first;
+        added = add(in, member, here, &child);
+        if (added && !VEC_PUSH(in->model->env, &children, child))
+            report_memory(in);
+        if (!added && o->op == NODE_DIFFERENCE && member == o->first)
+            break;   /* of nothing nothing can be cut */
+    }
+    if (!in->failed && children.count > 0 && !model_add_group(in->model, shape, children.items, children.count, out))
+        report_memory(in);
+    env_free(in->model->env, children.items);
+    return !in->failed && children.count > 0;
+}
+
+static bool add_parts(pov_reader *in, around *here, const group_node *shape, node_ref *out)
+{
+    group_node both = *shape;
+    node_ref parts[2];
+
+    both.op = NODE_UNION;
+    if (!add_members(in, here, SEEN, shape, &parts[0]))
+        return add_members(in, here, HIDDEN, shape, out);
+    *out = parts[0];
+    if (add_members(in, here, HIDDEN, shape, &parts[1]) && !model_add_group(in->model, &both, parts, 2, out))
+        report_memory(in);
+    return !in->failed;
+}
+
 static bool add_group(pov_reader *in, const object_parsed *o, const around *a, node_ref *out)
 {
     around here = { .outer = a, .group = o, .lights = find_lights(in, o, a) };
@@ -315,28 +378,13 @@ static bool add_group(pov_reader *in, const object_parsed *o, const around *a, n
     const surface_parsed *own = parse_surface_of(o);
     const group_node shape = { .op = o->op, .inverse = (o->flags & LEAF_INVERSE) != 0,
                                .united = own->material.interior.given || parse_finish_is_old(own), .line = o->leaf.line, .column = o->leaf.column };
-    node_list children = { NULL, 0, 0 };
-    node_ref child;
+    const bool added = is_parted(o, a) ? add_parts(in, &here, &shape, out) : add_members(in, &here, ALL, &shape, out);
 
-    for (const object_parsed *member = o->first; member && !in->failed; member = member->next) {
-        bool added;
-
-        here.cuts = o->op == NODE_DIFFERENCE && member != o->first;
-        added = add(in, member, &here, &child);
-        if (added && !VEC_PUSH(in->model->env, &children, child))
-            report_memory(in);
-        if (!added && o->op == NODE_DIFFERENCE && member == o->first)
-            break;   /* of nothing nothing can be cut */
-    }
     if (cuts_away)
         parse_cutaway_end(in, &list);
     if (o->is_light_group)
         add_light_group(in, o, a, leaf, here.lights);
-    if (!in->failed && children.count > 0 &&
-        !model_add_group(in->model, &shape, children.items, children.count, out))
-        report_memory(in);
-    env_free(in->model->env, children.items);
-    return !in->failed && children.count > 0;
+    return added;
 }
 
 /* What a light is projected through, and what it looks like, are objects. */

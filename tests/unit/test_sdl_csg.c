@@ -140,7 +140,7 @@ static void a_solid_is_seen_as_a_whole(void **state)
 
     (void)state;
     assert_hidden("union { sphere { 0, 1 no_image } box { 0, 1 } }", image, 0);
-    assert_hidden("merge { sphere { 0, 1 no_image } box { 0, 1 } }", image, 0);
+    assert_hidden("merge { sphere { 0, 1 no_reflection } box { 0, 1 } }", LEAF_NO_REFLECTION, 0);
     assert_hidden("intersection { sphere { 0, 1 no_image } box { 0, 1 } no_reflection }", LEAF_NO_REFLECTION, LEAF_NO_REFLECTION);
     assert_hidden("difference { sphere { 0, 1 } box { 0, 1 no_radiosity } }", 0, 0);
     assert_hidden("difference { union { sphere { 0, 1 no_image } box { 0, 1 } no_image } sphere { 1, 1 } }", 0, 0);
@@ -148,8 +148,32 @@ static void a_solid_is_seen_as_a_whole(void **state)
     assert_hidden("difference { union { sphere { 0, 1 } box { 0, 1 } no_reflection } sphere { 1, 1 } }", LEAF_NO_REFLECTION, LEAF_NO_REFLECTION);
     assert_hidden("difference { merge { sphere { 0, 1 no_image } box { 0, 1 } } sphere { 1, 1 } }", image, 0);
     assert_hidden("merge { union { sphere { 0, 1 no_image } box { 0, 1 } } sphere { 1, 1 } }", 0, 0);
-    assert_hidden("merge { union { sphere { 0, 1 } box { 0, 1 } no_image } sphere { 1, 1 } }", image, image);
+    assert_hidden("merge { sphere { 1, 1 } union { sphere { 0, 1 } box { 0, 1 } no_image } }", 0, image);
     assert_hidden("union { difference { sphere { 0, 1 } box { 0, 1 } no_image } sphere { 1, 1 } }", image, image);
+}
+
+/* What lies in a member that the camera does not see is seen, as in POV-Ray. */
+static void a_merge_is_parted_by_what_the_camera_sees(void **state)
+{
+    const group_node *g;
+    reading r;
+
+    (void)state;
+    read_text(&r, "union { merge { sphere { 0, 1 no_image } box { 0, 1 } box { 1, 2 } } }");
+    assert_int_equal(r.model.trees.count, 1);
+    g = &r.model.groups.items[r.model.trees.items[0] & ~NODE_GROUP];
+    assert_int_equal(g->op, NODE_MERGE);
+    assert_int_equal(g->leaf_count, 2);
+    assert_int_equal(r.model.leaves.items[g->leaf].flags | r.model.leaves.items[g->leaf + 1].flags, 0);
+    assert_int_equal(r.model.leaves.items[2].flags, LEAF_NO_IMAGE);
+    reading_end(&r);
+    read_text(&r, "union { merge { sphere { 0, 1 no_image } box { 0, 1 } no_image } }");
+    g = &r.model.groups.items[r.model.trees.items[0] & ~NODE_GROUP];
+    assert_int_equal(g->leaf_count, 2);
+    reading_end(&r);
+    read_text(&r, "intersection { merge { sphere { 0, 1 no_image } box { 0, 1 } } box { 1, 2 } }");
+    assert_int_equal(r.model.trees.count, 1);
+    reading_end(&r);
 }
 
 static void a_group_of_nothing_is_nothing(void **state)
@@ -223,6 +247,7 @@ int main(void)
         cmocka_unit_test(flags_of_groups_hold_where_they_belong),
         cmocka_unit_test(a_solid_throws_its_shadow_as_a_whole),
         cmocka_unit_test(a_solid_is_seen_as_a_whole),
+        cmocka_unit_test(a_merge_is_parted_by_what_the_camera_sees),
         cmocka_unit_test(a_group_of_nothing_is_nothing),
         cmocka_unit_test(a_clip_is_moved_by_what_follows_it),
         cmocka_unit_test(a_named_object_keeps_its_clip_when_a_copy_gets_another),
