@@ -157,9 +157,11 @@ static const setting settings[] = {
     { "Test_Abort", FREE, 0 }, { "Test_Abort_Count", FREE, 0 }, { "Render_Block_Size", FREE, 0 }, { "Render_Pattern", FREE, 0 },
     { "High_Reproducibility", FREE, 0 }, { "Max_Image_Buffer_Memory", FREE, 0 }, { "Buffer_Output", FREE, 0 },
     { "Buffer_Size", FREE, 0 }, { "Compression", FREE, 0 }, { "Dither", FREE, 0 }, { "Dither_Method", FREE, 0 },
+    { "Radiosity_Vain_Pretrace", FREE, 0 }, { "Real_Time_Raytracing", FREE, 0 },
     { "Version", ALIEN, 0 }, { "Include_Header", ALIEN, 0 }, { "Create_Ini", ALIEN, 0 }, { "Grayscale_Output", ALIEN, 0 },
     { "All_File", ALIEN, 0 }, { "Debug_File", ALIEN, 0 }, { "Fatal_File", ALIEN, 0 }, { "Render_File", ALIEN, 0 },
     { "Statistic_File", ALIEN, 0 }, { "Warning_File", ALIEN, 0 }, { "Create_Histogram", ALIEN, 0 }, { "Histogram_Name", ALIEN, 0 },
+    { "Radiosity_File_Name", ALIEN, 0 }, { "Radiosity_From_File", ALIEN, 0 }, { "Radiosity_To_File", ALIEN, 0 },
     { "Field_Render", ALIEN, 0 }, { "Odd_Field", ALIEN, 0 }, { "Append_File", ALIEN, 0 },
 };
 
@@ -233,6 +235,8 @@ typedef struct toggle { const char *letters, *name, *valued; } toggle;
 /* Longer switches first, because they begin like shorter ones. */
 static const toggle toggles[] = {
     { "kfi", NULL, "Initial_Frame" }, { "kff", NULL, "Final_Frame" }, { "kla", NULL, "" },
+    { "rfi", "Radiosity_From_File", NULL }, { "rfo", "Radiosity_To_File", NULL }, { "rtr", "Real_Time_Raytracing", NULL },
+    { "rvp", "Radiosity_Vain_Pretrace", NULL }, { "rf", NULL, "Radiosity_File_Name" }, { "th", "Dither", "Dither_Method" },
     { "am", NULL, "Sampling_Method" }, { "ac", NULL, "Antialias_Confidence" }, { "ag", NULL, "Antialias_Gamma" },
     { "bm", NULL, "Bounding_Method" }, { "bs", NULL, "Render_Block_Size" }, { "ef", NULL, "Subset_End_Frame" },
     { "ec", NULL, "End_Column" }, { "er", NULL, "End_Row" }, { "ep", NULL, "Preview_End_Size" },

@@ -178,6 +178,12 @@ static void what_povc_does_not_have_is_kept_for_a_warning(void **state)
     assert_int_equal(p.ignored.count, 4);
     assert_string_equal(p.ignored.item[2], "Nonsense");
     assert_string_equal(p.ignored.item[3], "+Zfoo");
+    assert_true(parse("scene.pov +R4 +RFI +RFO +RFx.rad -RFI"));
+    assert_int_equal(p.ignored.count, 3);
+    assert_string_equal(p.ignored.item[2], "Radiosity_File_Name");
+    assert_int_equal(p.depth, 4);
+    assert_true(parse("scene.pov +RVP -RTR +TH +THFS"));
+    assert_int_equal(p.ignored.count, 0);
 }
 
 static void expect_name(const char *line, int frame, const char *expected)
