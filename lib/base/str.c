@@ -1,6 +1,7 @@
 #include "base/str.h"
 
 #include <string.h>
+#include <strings.h>
 
 enum { LONGEST = 32 };
 
@@ -39,13 +40,15 @@ static int edits(const char *a, size_t m, const char *b, size_t n)
 void str_nearer(const char *word, const char *candidate, const char **best, int *best_edits)
 {
     size_t m = strlen(word), n = strlen(candidate);
+    bool is_case;
     int distance;
 
     if (m > LONGEST || n > LONGEST)
         return;
-    distance = edits(word, m, candidate, n);
-    /* One edit in three letters is a typing error; more makes another word. */
-    if (3 * (size_t)distance > (m > n ? m : n) || (*best && distance >= *best_edits))
+    /* One edit in three letters is a typing error; more makes another word. All in capitals is one. */
+    is_case = strcasecmp(word, candidate) == 0;
+    distance = is_case ? 1 : edits(word, m, candidate, n);
+    if ((!is_case && 3 * (size_t)distance > (m > n ? m : n)) || (*best && distance >= *best_edits))
         return;
     *best = candidate;
     *best_edits = distance;

@@ -50,6 +50,8 @@ static bool is_next(const pov_reader *in, const char *word)
 static bool accept(pov_reader *in, const char *word)
 {
     if (is_next(in, word)) {
+        in->plugin_braces += word[0] == '{';
+        in->plugin_braces -= word[0] == '}';
         state_advance(in);
         return true;
     }
@@ -61,7 +63,6 @@ static bool accept(pov_reader *in, const char *word)
 static void expect(pov_reader *in, const char *word)
 {
     char wanted[REPORT_QUOTE + 2] = "\"";
-    bool is_first = !in->failed;
     guess g;
 
     if (accept(in, word))
@@ -69,9 +70,7 @@ static void expect(pov_reader *in, const char *word)
     report_guess_start(&g, in);
     str_copy(wanted + 1, REPORT_QUOTE - 1, word);
     strcat(wanted, "\"");
-    report_expected(in, wanted);
-    if (is_first)
-        str_copy(in->error.hint, sizeof in->error.hint, g.best);
+    report_expected_guess(in, wanted, &g);
 }
 
 static bool next_is(pov_reader *in, const char *word) { return !in->failed && is_next(in, word); }

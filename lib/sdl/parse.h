@@ -72,6 +72,8 @@ static inline object_parsed parse_copy(const object_parsed *o)
 void parse_scene(pov_reader *in);
 /* Is one of the words that a statement begins with meant? */
 void parse_scene_guess(guess *g);
+/* The words of all shapes. */
+void parse_shapes_guess(const pov_reader *in, guess *g);
 /* A statement that a name can be given to, if one is next: texture { }, sphere { } ... */
 bool parse_value(pov_reader *in, value *out);
 /* Part of the scene's memory as a value. */

@@ -185,6 +185,19 @@ static void put_before(pov_reader *in, object_parsed **list, const object_parsed
     *list = kept;
 }
 
+/* A word that is none may be a slip of another one, or of a name. */
+static void expect_object(pov_reader *in)
+{
+    guess g = { .word = "" };
+
+    if (in->token.kind == TOKEN_WORD && !in->token.symbol->binding && !in->token.symbol->intrinsic) {
+        report_guess_start(&g, in);
+        report_guess_names(&g, in);
+        parse_shapes_guess(in, &g);
+    }
+    report_expected_guess(in, "an object", &g);
+}
+
 /* The objects of a block, or with the word of the other list those that are in it. */
 static void read_list(pov_reader *in, const object_parsed *o, object_parsed **list, const object_parsed *other, keyword_id word)
 {
@@ -196,7 +209,7 @@ static void read_list(pov_reader *in, const object_parsed *o, object_parsed **li
         return;
     }
     if (!parse_object_follows(in))
-        report_expected(in, "an object");
+        expect_object(in);
     while (!in->failed && parse_object_try(in, &member)) {
         member.since = o->map;
         put_before(in, list, &member);
@@ -308,16 +321,10 @@ void parse_object_colour(pov_reader *in, object_parsed *o, const pigment *p)
 
 /* ---- the shape ---- */
 
-static void guess_keyword(void *user, const char *keyword)
-{
-    report_guess_try(user, keyword);
-}
-
 /* No plugin offers the word: then it is missing, or a slip. */
 static void refuse(pov_reader *in, const symbol *word)
 {
     guess g;
-    int i;
 
     if (word->flags & KEYWORD_FLAG_SHAPE) {
         report_fail(in, &in->token.at, POV_E_PLUGIN, "no plugin for \"%s\" in %s", word->name,
@@ -325,11 +332,8 @@ static void refuse(pov_reader *in, const symbol *word)
         return;
     }
     report_guess_start(&g, in);
-    for (i = KEYWORD_OTHER + 1; i < KEYWORDS; i++)
-        if (token_keyword_flags((keyword_id)i) & KEYWORD_FLAG_SHAPE)
-            report_guess_try(&g, token_keyword_name((keyword_id)i));
+    parse_shapes_guess(in, &g);
     parse_scene_guess(&g);
-    registry_each_keyword(in->plugins, "primitives", guess_keyword, &g);
     report_misplaced(in, "an object or a setting", &g);
 }
 
@@ -495,7 +499,7 @@ static void read_wrapped(pov_reader *in, object_parsed *o)
         o->leaf.line = line;
         o->leaf.column = column;
     } else {
-        report_expected(in, "an object");
+        expect_object(in);
     }
     close_object(in, &b, o);
 }

@@ -32,6 +32,19 @@ static const keyword_id coming[] = {
 static const item_list statements = { "an object or a setting", ITEMS(statement_items), NULL, NULL, coming,
                                       VALUE_NOTHING, NULL };
 
+static void guess_keyword(void *user, const char *keyword)
+{
+    report_guess_try(user, keyword);
+}
+
+void parse_shapes_guess(const pov_reader *in, guess *g)
+{
+    for (int i = KEYWORD_OTHER + 1; i < KEYWORDS; i++)
+        if (token_keyword_flags((keyword_id)i) & KEYWORD_FLAG_SHAPE)
+            report_guess_try(g, token_keyword_name((keyword_id)i));
+    registry_each_keyword(in->plugins, "primitives", guess_keyword, g);
+}
+
 void parse_scene_guess(guess *g)
 {
     size_t i;

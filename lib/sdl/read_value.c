@@ -174,6 +174,16 @@ static double component_of(const value *v, int i)
     return i < v->size ? v->as.v[i] : 0.0;
 }
 
+static void refuse_size(pov_reader *in, const place *at, int least, int most, const value *found)
+{
+    if (found->kind == VALUE_VECTOR && least == most)
+        report_fail(in, at, POV_E_SYNTAX, "expected a vector of %d components, found one of %d", least, (int)found->size);
+    else if (found->kind == VALUE_VECTOR)
+        report_fail(in, at, POV_E_SYNTAX, "expected a vector of %d to %d components, found one of %d", least, most, (int)found->size);
+    else
+        report_fail(in, at, POV_E_SYNTAX, "expected a vector, found %s", value_name(found));
+}
+
 int value_components(pov_reader *in, int least, int most, double *out)
 {
     place at = in->token.at;
@@ -186,8 +196,7 @@ int value_components(pov_reader *in, int least, int most, double *out)
         in->value = at;
     }
     if (!in->failed && v.kind != VALUE_NUMBER && (v.kind != VALUE_VECTOR || v.size > most || v.size < least))
-        report_fail(in, &at, POV_E_SYNTAX, "expected a vector of %d to %d components, found %s", least, most,
-                    value_name(&v));
+        refuse_size(in, &at, least, most, &v);
     for (i = 0; i < most; i++)
         out[i] = in->failed ? 0.0 : finite(in, component_of(&v, i));
     if (value_is_shared(&v))

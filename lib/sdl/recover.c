@@ -15,7 +15,17 @@ static bool makes_sense(const pov_reader *in)
 /* A word that can only stand at the beginning of a statement here. */
 static bool begins_statement(const token *t)
 {
-    return t->kind == TOKEN_WORD && (t->symbol->flags & KEYWORD_FLAG_BASE) && t->symbol->id != KEYWORD_OTHER;
+    static const keyword_id others[] = {
+        KEYWORD_BACKGROUND, KEYWORD_CAMERA, KEYWORD_DIFFERENCE, KEYWORD_FOG, KEYWORD_GLOBAL_SETTINGS, KEYWORD_INTERSECTION,
+        KEYWORD_LIGHT_GROUP, KEYWORD_LIGHT_SOURCE, KEYWORD_MERGE, KEYWORD_OBJECT, KEYWORD_RAINBOW, KEYWORD_SKY_SPHERE, KEYWORD_UNION,
+    };
+
+    if (t->kind != TOKEN_WORD)
+        return false;
+    for (size_t i = 0; i < sizeof others / sizeof others[0]; i++)
+        if (t->symbol->id == others[i])
+            return true;
+    return (t->symbol->flags & KEYWORD_FLAG_SHAPE) != 0;
 }
 
 /* Skip to where no brace is open, and a statement or a directive begins. The token at which the reader failed was fetched
@@ -28,7 +38,7 @@ static bool skip_statement(pov_reader *in, token *t, size_t depth)
     for (;; frame_fetch(in, t)) {
         if (t->kind == TOKEN_END || t->kind == TOKEN_LEAVE || (t->kind == TOKEN_BAD && !t->fault))
             return t->kind == TOKEN_END && depth == 0 && conditions == 0;
-        if (depth == 0 && conditions == 0 && (t->kind == '#' || is_closed || begins_statement(t)))
+        if (depth == 0 && conditions == 0 && (t->kind == '#' || (is_closed && t->kind != '}') || begins_statement(t)))
             return true;
         if (t->kind == '{') {
             depth++;
@@ -49,6 +59,7 @@ static void begin_anew(pov_reader *in, const token *t)
     in->failed = false;
     in->block = NULL;
     in->nesting = in->depth = in->parentheses = 0;
+    in->plugin_braces = 0;
     in->arguments.count = 0;
     in->wants_name = false;
     in->wanted = "a value";

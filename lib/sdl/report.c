@@ -140,7 +140,7 @@ static void note_state(pov_reader *in)
 {
     in->failed_at = in->token;
     in->failed_in_directive = in->hold.is_on;
-    in->failed_depth = 0;
+    in->failed_depth = in->plugin_braces;
     for (const block *b = in->block; b; b = b->outer)
         in->failed_depth++;
 }
@@ -319,19 +319,32 @@ void report_guess_try(guess *g, const char *candidate)
         str_copy(g->best, sizeof g->best, best);
 }
 
+void report_guess_names(guess *g, const pov_reader *in)
+{
+    for (size_t i = 0; i < in->words.capacity; i++)
+        if (in->words.slots[i] && (in->words.slots[i]->binding || in->words.slots[i]->intrinsic))
+            report_guess_try(g, in->words.slots[i]->name);
+}
+
+void report_expected_guess(pov_reader *in, const char *wanted, const guess *g)
+{
+    const bool is_first = !in->failed;
+
+    report_expected(in, wanted);
+    if (is_first)
+        str_copy(in->error.hint, sizeof in->error.hint, g->best);
+}
+
 void report_undeclared(pov_reader *in)
 {
     char name[REPORT_QUOTE];
     guess g;
-    size_t i;
 
     if (in->failed)
         return;
     report_quote(&in->token.at, name);
     report_guess_start(&g, in);
-    for (i = 0; i < in->words.capacity; i++)
-        if (in->words.slots[i] && (in->words.slots[i]->binding || in->words.slots[i]->intrinsic))
-            report_guess_try(&g, in->words.slots[i]->name);
+    report_guess_names(&g, in);
     report_fail(in, &in->token.at, POV_E_SYNTAX, "\"%s\" is not declared", name);
     str_copy(in->error.hint, sizeof in->error.hint, g.best);
 }

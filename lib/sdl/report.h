@@ -37,6 +37,10 @@ typedef struct guess {
 /* Of the word that is next; candidates that a plugin asked for are tried first. */
 void report_guess_start(guess *g, const pov_reader *in);
 void report_guess_try(guess *g, const char *candidate);
+/* All names that there are. */
+void report_guess_names(guess *g, const pov_reader *in);
+/* As report_expected(), with what was guessed. */
+void report_expected_guess(pov_reader *in, const char *wanted, const guess *g);
 /* The next token is a name that has no value. */
 void report_undeclared(pov_reader *in);
 /* The next token is no word that may stand here. */

@@ -47,6 +47,22 @@ messages_defect_13_go_on_behind_an_error_in_the_order_of_lines() {
     says err "povc: 3 errors"
 }
 
+# What stands behind an error is read where a statement begins, and where all braces are closed.
+messages_do_not_come_again_behind_an_error() {
+    for wrong in 'background rgb 1' 'light_source <0, 5, 0> color rgb 1' 'mesh { triangle { 0, x } triangle { 0, x, y } }' \
+        'isosurface { function { x } contained_by { cone { 0, 1, y, 0 } } }' 'sphere { 0, 1 pigment { function { sin(x } } }'; do
+        printf '%s\nsphere { 0, 1 }\nspere { 0, 1 }\n' "$wrong" > w.pov
+        expect 1 "$povc" --check w.pov
+        [ "$(sed -n 's/^w\.pov:\([0-9]*\):[0-9]*: error: .*/\1/p' err | tr '\n' ' ')" = "1 3 " ]
+    done
+}
+
+messages_guess_names_of_objects() {
+    printf '#declare Globe = sphere { 0, 1 }\nobject { globe }\n' > w.pov
+    expect 1 "$povc" --check w.pov
+    says err 'did you mean "Globe"?'
+}
+
 messages_stop_behind_errors_that_would_make_others() {
     for first in '#declare A = ;' '#include "none.inc"' '#macro M() sphere { x #end M()' '#if (1) sphere { #end'; do
         printf '%s\nsphere { 0, wrong }\n' "$first" > w.pov

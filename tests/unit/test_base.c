@@ -178,6 +178,7 @@ static void slips_of_the_pen_are_guessed_and_other_words_are_not(void **state)
     assert_string_equal(nearest("sphare"), "sphere");
     assert_string_equal(nearest("cylnider"), "cylinder");
     assert_string_equal(nearest("lookat"), "look_at");
+    assert_string_equal(nearest("BOX"), "box");
     assert_string_equal(nearest("bxo"), "box");
     assert_null(nearest("torus"));
     assert_null(nearest(""));
