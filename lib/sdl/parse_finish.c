@@ -11,14 +11,13 @@
 /* Strengths that were given as albedos; they depend on words that may follow. */
 enum { ALBEDO_DIFFUSE = 1, ALBEDO_PHONG = 2, ALBEDO_SPECULAR = 4 };
 
-/* The word is none of 3.7's reserved ones. */
+/* The word is none of 3.7's reserved ones. It holds for strengths that the block gives later, too. */
 static void read_albedo(pov_reader *in, surface_parsed *s, unsigned bit)
 {
-    const bool given = in->token.kind == TOKEN_WORD && strcmp(in->token.symbol->name, "albedo") == 0;
-
-    if (given)
+    if (in->token.kind == TOKEN_WORD && strcmp(in->token.symbol->name, "albedo") == 0) {
         state_advance(in);
-    s->albedos = given ? s->albedos | bit : s->albedos & ~bit;
+        s->albedos |= bit;
+    }
 }
 
 /* What is below 0 is left out. */

@@ -66,6 +66,7 @@ static void diffuse_light_follows_brilliance_and_albedo(void **state)
         { FRONT, GOLD, 0.45122, 0.30082, 0.15041 },
         { FRONT, GOLD "finish { ambient 0 diffuse .8 brilliance 3 }", 0.21550, 0.14368, 0.07184 },
         { FRONT, GOLD "finish { ambient 0 diffuse albedo .4 brilliance 3 }", 0.21550, 0.14368, 0.07184 },
+        { FRONT, GOLD "finish { ambient 0 diffuse albedo .9 brilliance 3 diffuse .4 }", 0.21550, 0.14368, 0.07184 },
     };
     (void)state;
 
@@ -125,9 +126,11 @@ static void highlights_are_those_of_phong_and_of_blinn(void **state)
     static const sample samples[] = {
         { FRONT, BARE "phong .8 phong_size 10 }", 0.01344, 0.01344, 0.01344 },
         { FRONT, BARE "phong albedo .05 phong_size 10 }", 0.00462, 0.00462, 0.00462 },
+        { FRONT, BARE "phong albedo .9 phong .05 phong_size 10 }", 0.00462, 0.00462, 0.00462 },
         { FRONT, BARE "specular .8 roughness .05 }", 0.12738, 0.12738, 0.12738 },
         { FRONT, BARE "specular .8 roughness 1 }", 0.72978, 0.72978, 0.72978 },
         { FRONT, BARE "specular albedo .1 roughness .1 }", 0.06081, 0.06081, 0.06081 },
+        { FRONT, BARE "specular albedo .9 specular .1 roughness .1 }", 0.06081, 0.06081, 0.06081 },
         { FRONT, BARE "phong .8 phong_size 3 metallic }", 0.21209, 0.14380, 0.07550 },
     };
     (void)state;
