@@ -43,9 +43,10 @@ double subsurface_albedo(double reflected)
     return 0.5 * (lo + hi);
 }
 
-static channel channel_of(double length, double reflected)
+/* scatters: the mean way to a place where light is scattered, if none is absorbed on it. */
+static channel channel_of(double scatters, double reflected)
 {
-    const double albedo = subsurface_albedo(reflected), fades = sqrt(3.0 * (1.0 - albedo)) / length;
+    const double albedo = subsurface_albedo(reflected), length = scatters * fmax(albedo, 0x1p-10), fades = sqrt(3.0 * (1.0 - albedo)) / length;
     const double image = length * image_height, real_left = elementary_exp(-fades * length);
     const double image_left = elementary_exp(-fades * image);
     const channel out = { { length, image }, fades, albedo, { 0.5 / (pi * real_left), 0.5 / (pi * image_left) },

@@ -103,36 +103,48 @@ static void a_plate_lets_light_through(void **state)
         fail_msg("%g instead of %g", found, wanted);
 }
 
-/* Half a square's side, and what POV-Ray 3.7 shows in the middle of such a face of a box of pigment <1, .9, .5>, in even light of 1: the light that
- * enters further away is missing. */
+/* Half a square's side, and what POV-Ray 3.7 shows in the middle of such a face of a box in even light of 1: the light that enters further
+ * away is missing. */
+typedef struct face { double half, given[3]; } face;
+
+static void check_face(const face *f, const char *look, double within)
+{
+    char text[1024];
+    float *p;
+
+    snprintf(text, sizeof text, "#version 3.7; global_settings { assumed_gamma 1 mm_per_unit 1 subsurface { } }"
+             "camera { orthographic location <0,0,-10> direction z right x*%g up y*%g }"
+             "box { <-%g,-%g,0>, <%g,%g,99> %s }"
+             "light_source { <0,0,-1000> rgb 1 parallel point_at 0 }", f->half * 0.1, f->half * 0.1, f->half, f->half, f->half, f->half, look);
+    p = draw(text);
+    for (int c = 0; c < 3; c++) {
+        double mean = 0.0;
+
+        for (int k = 0; k < WIDTH * HEIGHT; k++)
+            mean += (double)p[4 * k + c] / (WIDTH * HEIGHT);
+        if (!(fabs(mean / f->given[c] - 1.0) < within))
+            fail_msg("%g instead of %g, channel %d of a half side of %g", mean, f->given[c], c, f->half);
+    }
+    free(p);
+}
+
 static void faces_give_what_enters_near_by(void **state)
 {
-    static const struct { double half, given[3]; } faces[] = {
-        { 2.0, { 0.4486, 0.4453, 0.3669 } }, { 8.0, { 0.8219, 0.8032, 0.5169 } }, { 32.0, { 0.9588, 0.9038, 0.5211 } }
-    };
+    static const face faces[] = { { 2.0, { 0.4486, 0.4453, 0.3669 } }, { 8.0, { 0.8219, 0.8032, 0.5169 } }, { 32.0, { 0.9588, 0.9038, 0.5211 } } };
 
     (void)state;
-    for (int i = 0; i < 3; i++) {
-        const double half = faces[i].half;
-        char text[1024];
-        float *p;
+    for (int i = 0; i < 3; i++)
+        check_face(&faces[i], "pigment { rgb <1,.9,.5> } interior { ior 1.3 } finish { ambient 0 diffuse 1 subsurface { translucency 1 } }", 0.03);
+}
 
-        snprintf(text, sizeof text, "#version 3.7; global_settings { assumed_gamma 1 mm_per_unit 1 subsurface { } }"
-                 "camera { orthographic location <0,0,-10> direction z right x*%g up y*%g }"
-                 "box { <-%g,-%g,0>, <%g,%g,99> pigment { rgb <1,.9,.5> } interior { ior 1.3 }"
-                 "finish { ambient 0 diffuse 1 subsurface { translucency 1 } } }"
-                 "light_source { <0,0,-1000> rgb 1 parallel point_at 0 }", half * 0.1, half * 0.1, half, half, half, half);
-        p = draw(text);
-        for (int c = 0; c < 3; c++) {
-            double mean = 0.0;
+/* The translucency is the way between two places where light is scattered: what is absorbed shortens it. */
+static void dark_faces_give_what_enters_nearer_by(void **state)
+{
+    static const face faces[] = { { 0.5, { 0.0447, 0.0404, 0.0285 } }, { 2.0, { 0.1117, 0.1017, 0.0760 } }, { 8.0, { 0.3860, 0.2870, 0.1213 } } };
 
-            for (int k = 0; k < WIDTH * HEIGHT; k++)
-                mean += (double)p[4 * k + c] / (WIDTH * HEIGHT);
-            if (!(fabs(mean / faces[i].given[c] - 1.0) < 0.03))
-                fail_msg("%g instead of %g, channel %d of a half side of %g", mean, faces[i].given[c], c, half);
-        }
-        free(p);
-    }
+    (void)state;
+    for (int i = 0; i < 3; i++)
+        check_face(&faces[i], "pigment { rgb <.5,.3,.1> } finish { ambient 0 diffuse 1 subsurface { translucency 4 } }", 0.015);
 }
 
 /* What POV-Ray 3.7 shows of a plane, pigment .7, seen straight on, in light that comes at this angle: beyond .7 of what enters it is light that
@@ -174,6 +186,7 @@ int main(void)
         cmocka_unit_test(even_light_has_little_noise),
         cmocka_unit_test(a_plate_lets_light_through),
         cmocka_unit_test(faces_give_what_enters_near_by),
+        cmocka_unit_test(dark_faces_give_what_enters_nearer_by),
         cmocka_unit_test(light_scattered_once_depends_on_where_it_comes_from),
         cmocka_unit_test(without_the_setting_light_is_diffuse),
     };
