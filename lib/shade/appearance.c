@@ -122,7 +122,7 @@ void appearance_make(appearance *out, const plan *p, const model *m, const finis
     out->power = power_of(f);
     out->onward.reflection = coefficient_of(f->reflection.max);
     paint(out, p, m, at);
-    out->needs_point = out->lit || out->gathers || out->reflective || out->transmissive;
+    out->needs_point = out->lit || out->gathers || out->reflective || out->transmissive || out->below_weight != 0.0f;
 }
 
 void appearance_set_material(appearance *out, const material *of)

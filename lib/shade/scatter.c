@@ -8,6 +8,7 @@
 #include "shade/scatter_rays.h"
 #include "shade/spawn.h"
 #include "shade/spectrum.h"
+#include "shade/unscattered.h"
 
 #include <limits.h>
 
@@ -495,6 +496,8 @@ void scatter(shade_context *c, surfaces *on, batch_queue *q)
         scatter_lanes(&to, on, p->refraction);
     else if (p->reflection)
         mirror_lanes(&to);
+    if (p->subsurface && !c->photons_fly)
+        unscattered_rays(&to, on, NULL);
     count(&to);
 }
 

@@ -1,5 +1,6 @@
 #include "shade/scatter.h"
 #include "shade/scatter_rays.h"
+#include "shade/unscattered.h"
 
 /* The rays of one hit, by layer from `first` to `end`: coefficients that are 0 where rays were added to an earlier one. */
 typedef struct hit_rays {
@@ -142,5 +143,7 @@ void scatter_layers(shade_context *c, layers *l, batch_queue *q)
         if (f.open > 0)
             send_through(&f);
     }
+    if (c->scene->plan->subsurface && !c->photons_fly)
+        unscattered_rays(&to, &l->on, l->of);
     scatter_count(&to);
 }

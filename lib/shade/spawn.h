@@ -26,7 +26,7 @@ static inline path *spawn(batch *b, const surface *s, pov_vec3 direction, coeffi
 }
 
 /* How a path goes on; and what it meets on its way. */
-enum { TURN_MIRRORED = 1, TURN_TRANSMITTED, TURN_GATHERING, TURN_GATHERING_BEHIND, TURN_MEDIA, TURN_AIR, TURN_TO_LAMP };
+enum { TURN_MIRRORED = 1, TURN_TRANSMITTED, TURN_GATHERING, TURN_GATHERING_BEHIND, TURN_MEDIA, TURN_AIR, TURN_TO_LAMP, TURN_UNSCATTERED };
 static inline void spawn_turn(path *p, uint32_t how) { p->branch = p->branch * 0x9e3779b1u + how; }
 
 #endif

@@ -58,17 +58,31 @@ static channel channel_of(double scatters, double reflected)
 /* Light goes no way at all in a channel that is not translucent: a thousandth of the others counts as none. */
 static double path_of(float translucency, double scale) { return fmax((double)translucency, 0x1p-10) * scale; }
 
+double subsurface_ior(const shading *scene, const surface *s)
+{
+    return dielectric_interior(scene->model, world_solid(scene->world, s->at->object))->ior;
+}
+
 static below below_of(const shading *scene, const surface *s)
 {
     const appearance *a = s->appearance;
     const double scale = 1.0 / scene->model->subsurface.mm_per_unit;
-    const double ior = dielectric_interior(scene->model, world_solid(scene->world, s->at->object))->ior;
     const colour mean = a->finish->translucency, by = colour_scale(a->pigment, a->below_weight);
     const below out = { { channel_of(path_of(mean.r, scale), (double)by.r),
                            channel_of(path_of(mean.g, scale), (double)by.g),
-                           channel_of(path_of(mean.b, scale), (double)by.b) }, ior };
+                           channel_of(path_of(mean.b, scale), (double)by.b) }, subsurface_ior(scene, s) };
 
     return out;
+}
+
+colour subsurface_unscattered(const shading *scene, const surface *s, double length)
+{
+    const below in = below_of(scene, s);
+    double left[3];
+
+    for (int c = 0; c < 3; c++)
+        left[c] = elementary_exp(-length / in.of[c].height[0]);
+    return colour_scale(colour_of((float)left[0], (float)left[1], (float)left[2]), s->appearance->opacity);
 }
 
 static double pole(double height, double fades, double square)

@@ -59,7 +59,7 @@ static uint64_t most_rays(const model *m)
 /* Can more rays follow from one than may? Where each surface sends one mirrored ray at most, each is a level deeper. */
 static bool may_exceed(const shading *s)
 {
-    return s->plan->transmission || s->plan->hidden || s->plan->radiosity || s->most_terms > 1 ||
+    return s->plan->transmission || s->plan->hidden || s->plan->radiosity || s->plan->subsurface || s->most_terms > 1 ||
            (uint64_t)s->model->max_trace_level > most_rays(s->model);
 }
 

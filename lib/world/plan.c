@@ -158,7 +158,7 @@ static void derive_needs(plan *p, const model *m, const plan_counts *s)
     p->hidden = s->hidden > 0;
     p->radiosity = m->radiosity.given && s->diffuse > 0;
     p->photons = p->lighting && s->targets > 0 && s->photon_lights > 0;
-    p->subsurface = p->lighting && m->subsurface.given && m->subsurface.used;
+    p->subsurface = m->subsurface.given && m->subsurface.used;
     p->random = p->radiosity || p->photons || p->media || p->subsurface;
     p->dielectrics_at_start = p->refraction && s->dielectrics > 0;
     p->opaque_at_start = p->dielectrics_at_start && s->fresnel > 0;

@@ -168,6 +168,33 @@ static void light_scattered_once_depends_on_where_it_comes_from(void **state)
     }
 }
 
+/* What POV-Ray 3.7 shows through a plate, as thick as a translucency of 1, of a background of 1: what is neither scattered nor absorbed. */
+static void light_goes_straight_through_without_being_scattered(void **state)
+{
+    static const struct { const char *plate; double given; } plates[] = {
+        { "finish { ambient 0 diffuse 1 subsurface { translucency 1 } }", 0.3679 },
+        { "finish { ambient 0 diffuse .5 subsurface { translucency 1 } }", 0.3473 },
+        { "finish { ambient 0 diffuse 1 subsurface { translucency 1 } } interior { ior 1.5 } rotate 60*y", 0.2938 },
+        { "finish { ambient 0 diffuse 0 subsurface { translucency 1 } }", 0.0 },
+        { "finish { ambient 0 diffuse 1 subsurface { translucency 1 } } pigment { onion color_map { [0 rgb 1] [1 rgb 1] } }", 0.3679 },
+        { "texture { pigment { rgb 1 } finish { ambient 0 diffuse 1 subsurface { translucency 1 } } }"
+          "texture { pigment { rgbt <1, 1, 1, 1> } finish { ambient 0 } }", 0.3679 },
+        { "finish { ambient 0 diffuse 1 subsurface { translucency 1 } } } box { <-9, -9, .03>, <9, 9, .06> pigment { rgb 1 }", 0.0 },
+    };
+
+    (void)state;
+    for (size_t i = 0; i < sizeof plates / sizeof plates[0]; i++) {
+        char text[1024];
+        double found;
+
+        snprintf(text, sizeof text, SCENE("subsurface { }") "background { rgb 1 } box { <-30,-30,0>, <30,30,.1> pigment { rgb 1 } %s }",
+                 plates[i].plate);
+        found = mean_of(text);
+        if (!(fabs(found - plates[i].given) < 1e-4))
+            fail_msg("%g instead of %g: %s", found, plates[i].given, plates[i].plate);
+    }
+}
+
 static void without_the_setting_light_is_diffuse(void **state)
 {
     const double found = mean_of(SCENE("") "box { <-90,-90,0>, <90,90,60> pigment { rgb 1 } interior { ior 1.3 }"
@@ -188,6 +215,7 @@ int main(void)
         cmocka_unit_test(faces_give_what_enters_near_by),
         cmocka_unit_test(dark_faces_give_what_enters_nearer_by),
         cmocka_unit_test(light_scattered_once_depends_on_where_it_comes_from),
+        cmocka_unit_test(light_goes_straight_through_without_being_scattered),
         cmocka_unit_test(without_the_setting_light_is_diffuse),
     };
 
