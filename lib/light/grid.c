@@ -260,6 +260,15 @@ SIMD_CLONES static bool move_across(double size, const vec_lanes *restrict to, c
     return in_range != 0;
 }
 
+/* As POV-Ray's, grids that turn lie the other way round where their light is reflected: that shows as they are a little off the middle. */
+static void turn_round(double *u, double *v, uint32_t n)
+{
+    for (uint32_t i = 0; i < n; i++) {
+        u[i] = -u[i];
+        v[i] = -v[i];
+    }
+}
+
 /* From the middle to the k-th point, for light on `n` points of surfaces; `to` are their directions to the light's position. Up to a
  * whole vector more are filled in. */
 static void find_moves(const light *l, const light_grid *g, uint32_t k, uint32_t draw, const vec_lanes *at, const vec_lanes *to, uint32_t n,
@@ -281,6 +290,8 @@ static void find_moves(const light *l, const light_grid *g, uint32_t k, uint32_t
         move_along(l->area.axes, u, v, whole, move);
         return;
     }
+    if (draw == DRAW_REFLECTED)
+        turn_round(u, v, whole);
     if (move_across(sqrt(pov_dot(l->area.axes[0], l->area.axes[0])), to, u, v, n, move))
         return;
     for (uint32_t i = 0; i < n; i++) {

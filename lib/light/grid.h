@@ -35,6 +35,8 @@ void grid_axes(const light *l, pov_vec3 to, pov_vec3 axes[2]);
 /* soft: the area is lit all over, and the points are a few of it, by chance, instead of those that the scene says. NULL:
  * no memory. */
 light_grid *grid_create(const env *e, const light *l, bool soft);
+/* Draws of points that move: those for shadows, or those whose light is reflected, or scattered. */
+enum { DRAW_SHADOWS, DRAW_REFLECTED, DRAW_SCATTERED };
 /* Directions to the k-th point by lane for `count` of the lanes, the first ones if `lanes` is NULL, where `to` are those to
  * the light's position; and if `ends` is not NULL the places that they are rounded to, in the order of `lanes`. Points that
  * jitter lie where the bits of the lit point say, otherwise for each draw; those that turn lie in a plane across the

@@ -6,9 +6,6 @@
 
 #include <string.h>
 
-/* Which draw of points that move: those for shadows, or those whose light is reflected. */
-enum { DRAW_SHADOWS, DRAW_REFLECTED };
-
 /* Directions to the k-th point of an area light from some lanes, and the point: one for each where it moves. */
 static void aim_at_point(const scene_light *from, uint32_t k, const light_points *at, const vec_lanes *to,
                          const uint8_t *lanes, uint32_t count, light_lanes *in, light_origin *ends)
@@ -208,12 +205,31 @@ uint64_t area_trace(lighting *l, const scene_light *from, const light_lanes *in,
     return l->on->at[0].from->gathers > 0 ? trace_some(l, from, in, through) : trace_area(l, from, &in->dir, through);
 }
 
-/* Incident light from the k-th point of an area light. Where points move, cone and fading are those of the middle. */
+/* The cone and the fading of points that move: those of the light's own place, as seen from where it lies as that point does. */
+static void dim_moved(const scene_light *from, uint32_t n, light_lanes *in)
+{
+    const light_origin own = light_own_origin(from->light);
+    vec_lanes point, low;
+    const light_points at = { &point, &low, n };
+    light_lanes dimmed;
+
+    for (uint32_t i = 0; i < lanes_whole(n); i++) {
+        lanes_put(&point, i, pov_sub(own.from, lanes_at(&in->dir, i)));
+        lanes_put(&low, i, own.from_lo);
+    }
+    from->class->incident(from->light, &own, &at, &dimmed);
+    dimmed.dir = in->dir;
+    *in = dimmed;
+}
+
+/* Incident light from the k-th point of an area light. Of beams the cone and fading are those of the middle. */
 static void find_incident(const scene_light *from, uint32_t k, const light_points *at, const light_lanes *middle,
                           light_lanes *in)
 {
     if (from->grid->moves) {
         grid_aim(from->light, from->grid, k, DRAW_REFLECTED, at, &middle->dir, NULL, at->n, &in->dir, NULL);
+        if (!in->uniform && !from->class->parallel)
+            dim_moved(from, at->n, in);
     } else {
         const light_origin origin = grid_origin(from->light, from->grid, k);
 

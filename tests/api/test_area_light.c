@@ -166,6 +166,33 @@ static void parallel_spotlights_shine_ahead(void **state)
     assert_true(floor_at("-5, 0, 0", "spotlight parallel shadowless") > 0.7);
 }
 
+/* What POV-Ray 3.7 shows of a floor: with area_illumination each point has its own cone and fades over its own way, those of a grid that
+ * turns to the lit point, too. */
+static void points_that_turn_have_cones_of_their_own(void **state)
+{
+    static const char *const places[3] = { ".5, 0, -.2", "1.5, 0, .8", "-1, 0, .3" };
+    static const struct { const char *light; double given[3]; } lights[] = {
+        { "spotlight point_at 0 radius 10 falloff 20 area_light 2*x, 2*z, 2, 2 orient", { 0.74821, 0.32029, 0.50814 } },
+        { "fade_distance 2 fade_power 2 area_light 3*x, 3*z, 3, 2 orient", { 0.20760, 0.17099, 0.16315 } },
+        { "spotlight point_at 0 radius 5 falloff 20 tightness 2 area_light 2*x, 2*z, 3, 3 circular orient", { 0.65852, 0.25655, 0.49413 } },
+    };
+
+    (void)state;
+    for (int i = 0; i < 3; i++)
+        for (int k = 0; k < 3; k++) {
+            char text[1024];
+            float *picture;
+
+            snprintf(text, sizeof text, "#version 3.7; global_settings { assumed_gamma 1 } plane { y, 0 pigment { rgb 1 } finish { ambient 0 diffuse 1 } }\n"
+                     "camera { location <%s> + 4*y look_at <%s> angle 1 } light_source { <1, 5, -2>, rgb 1 %s area_illumination }\n",
+                     places[k], places[k], lights[i].light);
+            picture = scenes_draw(text, 1, 1, 1, 1);
+            if (fabs((double)picture[0] - lights[i].given[k]) > 2e-5)
+                fail_msg("%f, not %f at %s: %s", (double)picture[0], lights[i].given[k], places[k], lights[i].light);
+            free(picture);
+        }
+}
+
 /* With area_illumination light comes from each point, but a film is that of the light's middle, as measured. */
 static void films_are_those_of_the_middle(void **state)
 {
@@ -195,6 +222,7 @@ int main(void)
         cmocka_unit_test(glass_and_what_casts_no_shadow),
         cmocka_unit_test(a_room_with_the_light_in_it),
         cmocka_unit_test(parallel_spotlights_shine_ahead),
+        cmocka_unit_test(points_that_turn_have_cones_of_their_own),
         cmocka_unit_test(films_are_those_of_the_middle),
         cmocka_unit_test(each_point_of_a_parallel_light_has_a_direction_of_its_own),
         cmocka_unit_test(a_ceiling_does_not_hide_the_light_on_it),
