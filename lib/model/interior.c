@@ -5,8 +5,21 @@
 void interior_init(interior *i)
 {
     memset(i, 0, sizeof *i);
-    i->ior = i->dispersion = 1.0;
+    i->ior = i->dispersion = i->asked_dispersion = 1.0;
     i->dispersion_samples = 7;
+}
+
+void interior_set_ior(interior *i, double ior)
+{
+    i->ior = ior;
+    i->has_ior = true;
+    i->dispersion = i->asked_dispersion;
+}
+
+void interior_ask_dispersion(interior *i, double dispersion)
+{
+    i->asked_dispersion = dispersion;
+    i->dispersion = i->has_ior ? dispersion : 1.0;
 }
 
 bool interior_equal(const interior *a, const interior *b)

@@ -13,6 +13,8 @@ typedef struct interior {
     colour fade_color;
     float caustics;
     const media *media;          /* what fills it; NULL: nothing */
+    bool has_ior;                /* the text gives one: without it there is no dispersion, whatever the text asks for */
+    double asked_dispersion;
 } interior;
 
 /* The defaults of the language: ior and dispersion 1, 7 samples, all else 0. */
@@ -22,6 +24,8 @@ static inline bool interior_is_located(const interior *i)
 {
     return i->fade_distance > 0.0 || i->caustics != 0.0f || i->media;
 }
+void interior_set_ior(interior *i, double ior);
+void interior_ask_dispersion(interior *i, double dispersion);
 bool interior_equal(const interior *a, const interior *b);
 
 #endif

@@ -208,7 +208,7 @@ void parse_finish_settle(surface_parsed *s)
 
     i->given = true;
     if (f->old_ior >= 0.0)
-        i->ior = f->old_ior > 0.0 ? f->old_ior : 1.0;
+        interior_set_ior(i, f->old_ior > 0.0 ? f->old_ior : 1.0);
     if (f->old_caustics >= 0.0f)
         i->caustics = f->old_caustics;
 }

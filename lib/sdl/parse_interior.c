@@ -12,7 +12,7 @@ static void read_ior(pov_reader *in, interior *i)
         report_warn(in, &in->value, "an ior of 0 counts as 1");
         ior = 1.0;
     }
-    i->ior = ior;
+    interior_set_ior(i, ior);
 }
 
 static void read_samples(pov_reader *in, interior *i)
@@ -32,7 +32,7 @@ static void read_item(pov_reader *in, void *self, keyword_id keyword)
     switch (keyword) {
     case KEYWORD_IOR: read_ior(in, i); break;
     case KEYWORD_CAUSTICS: i->caustics = value_float(in); break;
-    case KEYWORD_DISPERSION: i->dispersion = value_number(in); break;
+    case KEYWORD_DISPERSION: interior_ask_dispersion(i, value_number(in)); break;
     case KEYWORD_DISPERSION_SAMPLES: read_samples(in, i); break;
     case KEYWORD_FADE_DISTANCE: i->fade_distance = value_number(in); break;
     case KEYWORD_FADE_POWER: i->fade_power = value_number(in); break;

@@ -146,6 +146,15 @@ static void white_light_is_dispersed_into_its_colours(void **state)
     assert_seen("sphere { 0, 2" CLEAR "interior { ior 1.5 dispersion 1.1 dispersion_samples 2 } }", 0.99380, 1.0, 0.99620);
 }
 
+/* As in POV-Ray; the ior may come later. */
+static void without_an_ior_nothing_is_dispersed(void **state)
+{
+    (void)state;
+
+    assert_seen("sphere { 0, 2" CLEAR "interior { dispersion 1.1 dispersion_samples 2 } }", 1.0, 1.0, 1.0);
+    assert_seen("#declare I = interior { dispersion 1.1 dispersion_samples 2 } sphere { 0, 2" CLEAR "interior { I ior 1.5 } }", 0.99380, 1.0, 0.99620);
+}
+
 /* As measured: colours that are turned back where white light would enter are filtered, and the surface mirrors as well. */
 static void dispersed_colours_are_turned_back_one_by_one(void **state)
 {
@@ -233,6 +242,7 @@ int main(void)
         cmocka_unit_test(a_weight_of_the_bailout_itself_is_below_it_where_its_float_is),
         cmocka_unit_test(leaving_a_solid_in_one_that_was_entered_later_reflects_by_both),
         cmocka_unit_test(what_is_not_seen_leaves_lists_of_solids_as_they_are),
+        cmocka_unit_test(without_an_ior_nothing_is_dispersed),
         cmocka_unit_test(dispersed_colours_are_turned_back_one_by_one),
     };
 
