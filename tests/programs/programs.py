@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """Scenes as programs write them today, drawn by povc and by POV-Ray.
 
-The programs are installed where they can be: ASE, PyMOL, VTK, vapory, fdray, plato and povplot from PyPI into a folder of
-their own; Jmol, Open Babel, Inkscape, DRAWxtl, Voro++, polymake, Graphviz, OpenSceneGraph, GRASS, Avogadro, Blender and
+The programs are installed where they can be: ASE, PyMOL, VTK, vapory, fdray, plato, povplot and pypdb2pov from PyPI into a folder
+of their own; Jmol, Open Babel, Inkscape, DRAWxtl, Voro++, polymake, Graphviz, OpenSceneGraph, GRASS, Avogadro, Blender and
 FreeCAD are used where the system has them (Debian: jmol xvfb openbabel inkscape drawxtl voro++ polymake graphviz
 openscenegraph grass-core libavogadro-dev blender freecad-python3). Then the calls by which ASE, vapory, fdray, PyMOL, plato
 and povplot render are made with povc under the name `povray`, and tests/corpus/corpus.py compares the scenes.
@@ -19,7 +19,8 @@ from pathlib import Path
 
 HERE = Path(__file__).parent
 PACKAGES = {'ase': ['ase', 'scikit-image'], 'vapory': ['vapory'], 'pymol': ['pymol-open-source'], 'vtk': ['vtk'],
-            'fdray': ['fdray'], 'plato': ['plato-draw'], 'povplot': ['povplot', 'jinja2<3.1', 'matplotlib<3.9']}
+            'fdray': ['fdray'], 'plato': ['plato-draw'], 'povplot': ['povplot', 'jinja2<3.1', 'matplotlib<3.9'],
+            'pypdb2pov': ['pypdb2pov']}
 RENDERING = ('ase', 'vapory', 'pymol', 'fdray', 'plato', 'povplot')
 
 
