@@ -56,6 +56,14 @@ static bool name_output(args *a)
 
 static bool is_number(const char *text) { return args_digits(text, NULL, ARGS_LARGEST_SIDE) >= 0; }
 
+static bool read_sizes(args *a, char **places)
+{
+    if (a->width > 0)
+        return args_refuse(a, "the size is given twice");
+    return args_whole(a, "WIDTH", places[1], 1, ARGS_LARGEST_SIDE, &a->width) &&
+           args_whole(a, "HEIGHT", places[2], 1, ARGS_LARGEST_SIDE, &a->height);
+}
+
 /* SCENE alone, SCENE OUTPUT, SCENE WIDTH HEIGHT with -o, or all four. */
 static bool take_places(args *a, int count, char **places)
 {
@@ -69,15 +77,16 @@ static bool take_places(args *a, int count, char **places)
         return args_refuse(a, "\"%s\" stands where SCENE belongs: povc wants SCENE WIDTH HEIGHT OUTPUT", places[0]);
     if (count == 2 && !has_output)
         return args_refuse(a, "HEIGHT is missing: povc wants SCENE WIDTH HEIGHT OUTPUT");
+    if (has_sizes && !read_sizes(a, places))
+        return false;
     if (count == 3 && !a->output)
         return args_refuse(a, "OUTPUT is missing: povc wants SCENE WIDTH HEIGHT OUTPUT");
-    if ((has_sizes && a->width > 0) || (has_output && a->output))
-        return args_refuse(a, "%s is given twice", has_output && a->output ? "OUTPUT" : "the size");
+    if (has_output && a->output)
+        return args_refuse(a, "OUTPUT is given twice");
     a->scene = places[0];
     if (has_output)
         a->output = places[count - 1];
-    return !has_sizes || (args_whole(a, "WIDTH", places[1], 1, ARGS_LARGEST_SIDE, &a->width) &&
-                          args_whole(a, "HEIGHT", places[2], 1, ARGS_LARGEST_SIDE, &a->height));
+    return true;
 }
 
 static bool read_checked(args *a, int count, char **places)

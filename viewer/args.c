@@ -113,6 +113,14 @@ static bool read_option(args *a, int option, const char *text)
     }
 }
 
+/* A file of options, or an option: +Iscene.pov. */
+static bool is_povrays(const char *word)
+{
+    const size_t length = strlen(word);
+
+    return word[0] == '+' || (length > 4 && strcmp(word + length - 4, ".ini") == 0);
+}
+
 static bool read_places(args *a, int count, char **places)
 {
     if (count < 1 && !a->shot && !a->bench)
@@ -120,14 +128,15 @@ static bool read_places(args *a, int count, char **places)
     if (count < 1 || !places[0][0])
         return refuse(a, "SCENE is missing: povview wants SCENE [WIDTH HEIGHT]");
     a->scene = places[0];
+    if (is_povrays(places[0]))
+        return refuse(a, "\"%s\" is for POV-Ray: povc reads that, and povview wants SCENE [WIDTH HEIGHT]", places[0]);
+    if (count > 1 && !read_whole(a, "WIDTH", places[1], LARGEST_SIDE, &a->width))
+        return false;
     if (count == 2)
         return refuse(a, "HEIGHT is missing: povview wants SCENE [WIDTH HEIGHT]");
     if (count > 3)
         return refuse(a, "\"%s\" is one word too many: povview wants SCENE [WIDTH HEIGHT]", places[3]);
-    if (count == 3 && (!read_whole(a, "WIDTH", places[1], LARGEST_SIDE, &a->width) ||
-                       !read_whole(a, "HEIGHT", places[2], LARGEST_SIDE, &a->height)))
-        return false;
-    return true;
+    return count < 3 || read_whole(a, "HEIGHT", places[2], LARGEST_SIDE, &a->height);
 }
 
 static bool check_together(args *a)

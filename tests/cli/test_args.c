@@ -111,6 +111,8 @@ static void args_needs_no_sizes_to_check_or_explain(void **state)
     assert_true(a.explain && !a.output);
     assert_refused("s.pov 10", "HEIGHT is missing");
     assert_refused("s.pov 10 10", "OUTPUT is missing");
+    assert_refused("s.pov 10x10 o.png", "WIDTH must be a whole number");
+    assert_refused("s.pov 10 o.png", "HEIGHT must be a whole number");
     assert_refused("--check s.pov 10", "HEIGHT is missing");
 }
 

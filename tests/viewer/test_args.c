@@ -64,6 +64,9 @@ static void args_that_are_wrong_are_named(void **state)
     assert_refused("--shot=x.png", NULL, NULL, NULL, "SCENE is missing: povview wants SCENE [WIDTH HEIGHT]");
     assert_refused("s.pov", "640", NULL, NULL, "HEIGHT is missing: povview wants SCENE [WIDTH HEIGHT]");
     assert_refused("s.pov", "640", "48x", NULL, "HEIGHT must be a whole number from 1 to 16384, not \"48x\"");
+    assert_refused("s.pov", "640x480", NULL, NULL, "WIDTH must be a whole number from 1 to 16384, not \"640x480\"");
+    assert_refused("s.ini", NULL, NULL, NULL, "\"s.ini\" is for POV-Ray: povc reads that, and povview wants SCENE [WIDTH HEIGHT]");
+    assert_refused("+Is.pov", "+W64", NULL, NULL, "\"+Is.pov\" is for POV-Ray: povc reads that, and povview wants SCENE [WIDTH HEIGHT]");
     assert_refused("s.pov", "0", "480", NULL, "WIDTH must be a whole number from 1 to 16384, not \"0\"");
     assert_refused("s.pov", "--frames=3", NULL, NULL, "--frames goes with --shot");
     assert_refused("s.pov", "--error=nan", NULL, NULL, "--error must be a number above 0 and below 1, not \"nan\"");
