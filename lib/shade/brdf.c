@@ -54,10 +54,10 @@ bool brdf_cosines(light_sample *s, const geometry *g, const vec_lanes *dir, bool
     return found != 0;
 }
 
-/* Reflected fraction of white light towards the ray's start, with a highlight. */
-static colour brdf(const model *m, const appearance *of, double cosine, double specular_cos)
+/* Reflected fraction of white light towards the ray's start, with a highlight; own: the colour of the pigment. */
+static colour brdf(const model *m, const appearance *of, colour own, double cosine, double specular_cos)
 {
-    const colour diffuse = colour_scale(of->pigment, of->diffuse_weight * (float)cosine);
+    const colour diffuse = colour_scale(own, of->diffuse_weight * (float)cosine);
     const float strength = of->finish->phong * highlight_power(specular_cos, of);
 
     return colour_add(diffuse, colour_scale(highlight_colour(m, of, cosine), strength));
@@ -153,11 +153,12 @@ void brdf_reflect(const finishes *f, const model *m, light_sample *s, const ligh
         return;
     for (uint32_t k = 0; k < f->count; k++) {
         const uint32_t i = f->lit[k];
+        const colour own = colour_of(f->red[i], f->green[i], f->blue[i]);
         colour c;
 
         if (!s->odd[i])
             continue;
-        c = colour_mul(incident_at(in, i), brdf(m, stack_level(f->on->at[i].appearance, f->level), s->cosine[i], s->specular_cos[i]));
+        c = colour_mul(incident_at(in, i), brdf(m, stack_level(f->on->at[i].appearance, f->level), own, s->cosine[i], s->specular_cos[i]));
         s->red[i] = c.r;
         s->green[i] = c.g;
         s->blue[i] = c.b;
@@ -248,6 +249,21 @@ static void begin_common(finishes *f, const surfaces *on, const appearance *a)
     f->held_count = f->count > f->held_count ? f->count : f->held_count;
 }
 
+/* Surfaces of one appearance but for their pigments. What their material adds to the finish is rare, and not held. */
+static void begin_coloured(finishes *f, const surfaces *on)
+{
+    const appearance *a = on->at[0].appearance;
+
+    if (a->kinds)
+        f->held = NULL;
+    begin_common(f, on, a->kinds ? a : on->coloured);
+    if (a->kinds)
+        f->held = NULL;
+    memcpy(f->red, on->pigment.red, sizeof f->red);
+    memcpy(f->green, on->pigment.green, sizeof f->green);
+    memcpy(f->blue, on->pigment.blue, sizeof f->blue);
+}
+
 void brdf_begin(finishes *f, const model *m, const surfaces *on, uint32_t level)
 {
     const appearance *same = common(on, level);
@@ -256,6 +272,10 @@ void brdf_begin(finishes *f, const model *m, const surfaces *on, uint32_t level)
 
     f->on = on;
     f->level = level;
+    if (on->coloured) {
+        begin_coloured(f, on);
+        return;
+    }
     if (same) {
         begin_common(f, on, same);
         return;

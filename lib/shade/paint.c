@@ -1,6 +1,7 @@
 #include "shade/paint.h"
 
 #include "base/simd.h"
+#include "shade/coloured.h"
 #include "shade/merge.h"
 #include "shade/stack.h"
 #include "texture/normal.h"
@@ -394,6 +395,7 @@ static bool paint_alike(const shading *scene, surfaces *s, painted *p)
     const texture *of = texture_of_first(s);
     pigment pigments[BATCH_MAX];
     const appearance *finished;
+    bool coloured;
     group g;
 
     if (!of || of->blend != BLEND_NONE || of->normal || !are_alike(s))
@@ -402,7 +404,8 @@ static bool paint_alike(const shading *scene, surfaces *s, painted *p)
     add_all(&g, scene, s);
     pigment_eval(scene->model, of->pigment, &g.points, g.count, pigments);
     finished = shading_finish(scene, &of->finish);
-    for (uint32_t i = 0; i < s->count; i++)
+    coloured = coloured_put(scene, finished, pigments, s);
+    for (uint32_t i = 0; !coloured && i < s->count; i++)
         repaint(scene, finished, scene->most_terms == 1, &pigments[i], &s->at[i], &s->varying[i]);
     begin_none(s, p);
     return true;

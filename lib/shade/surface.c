@@ -361,6 +361,7 @@ int surfaces_complete(shade_context *c, surfaces *s, painted *p)
         world_surface_many(scene->world, own, s->rays, s->found, s->count, &s->geometry.to);
     s->geometry.shading = s->geometry.raw = &s->geometry.to.normal;
     s->interfaces = 0;
+    s->coloured = NULL;
     if (scene->plan->smooth)
         set_shading_normals(scene, s);
     if (scene->plan->textures)

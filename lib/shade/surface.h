@@ -49,12 +49,15 @@ typedef struct surfaces {
     bool ends;                   /* no path goes on from them: what would be reflected and transmitted is not known */
     bool alike;                  /* all are of one appearance */
     bool shared;                 /* neighbours may be at one hit: the rays from them to a light are one */
+    const appearance *coloured;  /* the appearance of their finish, where all are of one but for the pigment and what is emitted, which
+                                  * stand below by lane: see coloured.h; or NULL */
     surface at[BATCH_MAX];
     const pov_ray *rays[BATCH_MAX];   /* their rays in the same order, and the hits */
     hit *found[BATCH_MAX];
     colour_lanes lit;            /* light of the sources that they reflect along the rays, in the same order */
     geometry geometry;           /* their appearances in the same order */
     appearance varying[BATCH_MAX];   /* of surfaces whose texture varies */
+    colour_lanes pigment, emitted;   /* of coloured ones */
     coefficient reflection[BATCH_MAX], filter[BATCH_MAX];   /* what goes on from those of which it depends on the angle */
     bool dark[BATCH_MAX];
     uint32_t interfaces, last_interface;   /* how many are known, and the last surface that was asked for one */

@@ -196,11 +196,24 @@ static bool put_surfaces(const colour_lanes *lit, uint32_t n, colour *out)
     return true;
 }
 
+/* Add what each of them emits, where that is not the same. */
+SIMD_CLONES static void add_emitted(colour_lanes *restrict lit, const colour_lanes *restrict emitted, uint32_t n)
+{
+    for (uint32_t i = 0; i < n; i++) {
+        lit->red[i] = emitted->red[i] + lit->red[i];
+        lit->green[i] = emitted->green[i] + lit->green[i];
+        lit->blue[i] = emitted->blue[i] + lit->blue[i];
+    }
+}
+
 /* firsts: they are the first to add to their rays' colours, all of one batch of the camera. */
 static void add_surfaces(surfaces *s, bool firsts, colour *out)
 {
     if (s->alike && s->count > 0) {
-        weigh(&s->lit, s->at[0].appearance->emitted, colour_of(1.0f, 1.0f, 1.0f), lanes_whole(s->count));
+        if (s->coloured)
+            add_emitted(&s->lit, &s->emitted, lanes_whole(s->count));
+        else
+            weigh(&s->lit, s->at[0].appearance->emitted, colour_of(1.0f, 1.0f, 1.0f), lanes_whole(s->count));
         if (!firsts || !put_surfaces(&s->lit, s->count, out))
             add_layers(s, &s->lit, 1, out);
         return;

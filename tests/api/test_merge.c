@@ -1,4 +1,4 @@
-/* Layers and shares of matt textures are lit as one surface: they look as they do one by one. */
+/* Layers and shares of matt textures are lit as one surface, and colours of one finish by lane: they look as they do one by one. */
 #include "support/check.h"
 #include "support/scenes.h"
 
@@ -88,11 +88,36 @@ static void layers_of_one_texture_have_the_bits_of_terms(void **state)
     }
 }
 
+/* The same of a texture with a pattern of colours, all of which are lit by lane where light does not go through them. */
+static void colours_of_one_finish_have_the_bits_of_terms(void **state)
+{
+    static const char *const finishes[] = {
+        "", "phong .8 phong_size 9", "phong .4 phong_size 9.5", "specular .5", "brilliance 1.5", "phong .5 metallic", "diffuse .4, .3",
+        "reflection .3", "reflection { .1, .5 } specular .3", "reflection { .4 metallic }", "irid { .4 thickness .3 turbulence .5 }",
+    };
+    static const char *const pigments[] = { "bozo scale .2 color_map { [0 rgb <1, .2, .1>] [1 rgb <0, .5, 2>] }",
+                                            "bozo scale .2 color_map { [0 rgb <1, .2, .1>] [1 rgbt <0, .5, 2, .5>] }" };
+    static float of_terms[4 * COUNT];
+
+    (void)state;
+    for (size_t k = 0; k < 4 * (sizeof finishes / sizeof finishes[0]); k++) {
+        const char *const finish = finishes[k / 4], *const both = k & 2 ? "double_illuminate" : "";
+        char alone[TEXT], list[TEXT];
+
+        assert_true(snprintf(alone, sizeof alone, "texture { pigment { %s } finish { F } } %s", pigments[k % 2], both) < TEXT);
+        assert_true(snprintf(list, sizeof list, "translate -9*z } #declare T = texture { pigment { %s } finish { F } } "
+                             "sphere { 0, 1 texture { checker texture { T } texture { T } } %s", pigments[k % 2], both) < TEXT);
+        memcpy(of_terms, colours_of("3.7", finish, list), sizeof of_terms);
+        assert_memory_equal(of_terms, colours_of("3.7", finish, alone), sizeof of_terms);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(terms_that_are_as_one_look_as_each_does),
         cmocka_unit_test(layers_of_one_texture_have_the_bits_of_terms),
+        cmocka_unit_test(colours_of_one_finish_have_the_bits_of_terms),
     };
 
     return cmocka_run_group_tests(tests, NULL, NULL);
