@@ -349,6 +349,15 @@ static bool all_end(const shade_context *c, const surfaces *s)
     return true;
 }
 
+/* Are all of them seen alike from everywhere? Then nothing asks for the directions of view and mirror. */
+static bool are_matt(const plan *p, const surfaces *s)
+{
+    const appearance *a = s->count > 0 ? s->at[0].appearance : NULL;
+
+    return a && s->alike && !a->stack && !a->kinds && a->finish->phong == 0.0f && !a->reflective && !a->transmissive && !a->angular &&
+           !p->photons && !p->subsurface && !p->refraction;
+}
+
 int surfaces_complete(shade_context *c, surfaces *s, painted *p)
 {
     const shading *scene = c->scene;
@@ -372,7 +381,8 @@ int surfaces_complete(shade_context *c, surfaces *s, painted *p)
         paint_surfaces(scene, s, p);
         s->alike = are_alike(s);
     }
-    geometry_turn(&s->geometry, s->count);
+    if (!are_matt(scene->plan, s))
+        geometry_turn(&s->geometry, s->count);
     s->ends = all_end(c, s);
     if ((scene->angular || scene->plan->fading) && !s->ends)
         reflectance_set(c, s);
