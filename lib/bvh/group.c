@@ -79,6 +79,13 @@ uint64_t bvh_take(bvh_traversal *t, const pov_ray *taken[BVH_LANES], uint8_t of[
     return set_out(t, taken, n, limit, end);
 }
 
+/* Smaller groups of one octant are faster as single rays, and still smaller groups of any octants one after the
+ * other. Shadow rays mostly go to one place: fewer of them are worth a packet. Where all come to one leaf, two are. */
+enum { PACKET_LEAST = 8, SHADOWS_LEAST = 5, INTERLEAVED_LEAST = 5, LEAF_LEAST = 2 };
+
+/* Has it nodes? Only these ask for rays of one octant. */
+static inline bool has_nodes(const bvh *tree) { return tree && (tree->frames[0].root & BVH_KIND) != BVH_LEAF; }
+
 /* Copied as a whole, whatever lanes past the end hold. */
 enum { LANES_AGREE = 1 / (sizeof(vec_lanes) == sizeof(double[3][BVH_LANES]) && BVH_LANES == POV_RAYS_MAX) };
 
@@ -93,40 +100,6 @@ static void repeat_last(pov_rays *to, uint32_t n)
         }
         to->excluded[i] = to->excluded[n - 1];
     }
-}
-
-uint64_t bvh_take_lanes(bvh_traversal *t, const bvh_ray_lanes *rays, uint32_t n, double limit, double end)
-{
-    memcpy(t->soa.org, rays->org, sizeof t->soa.org);
-    memcpy(t->soa.org_lo, rays->org_lo, sizeof t->soa.org_lo);
-    memcpy(t->soa.dir, rays->dir, sizeof t->soa.dir);
-    memcpy(t->soa.excluded, rays->excluded, n * sizeof *rays->excluded);
-    repeat_last(&t->soa, n);
-    return set_out(t, NULL, n, limit, end);
-}
-
-/* ---- groups ---- */
-
-/* Smaller groups of one octant are faster as single rays, and still smaller groups of any octants one after the
- * other. Shadow rays mostly go to one place: fewer of them are worth a packet. Where all come to one leaf, two are. */
-enum { PACKET_LEAST = 8, SHADOWS_LEAST = 5, INTERLEAVED_LEAST = 5, LEAF_LEAST = 2 };
-
-/* Has it nodes? Only these ask for rays of one octant. */
-static inline bool has_nodes(const bvh *tree) { return tree && (tree->frames[0].root & BVH_KIND) != BVH_LEAF; }
-
-/* Rays of one octant form a packet for a tree; a list takes all. Most packets are of one octant. */
-static void divide(const bvh *tree, const pov_ray *const *rays, uint32_t n, uint64_t of[8])
-{
-    const uint32_t common = has_nodes(tree) ? bvh_common_octant(rays, n) : 0;
-    uint32_t i;
-
-    for (i = 0; i < 8; i++)
-        of[i] = 0;
-    if (common < 8)
-        of[common] = all_of(n);
-    else
-        for (i = 0; i < n; i++)
-            of[bvh_octant(rays[i])] |= bit_of(i);
 }
 
 /* Of what some have and of what all have the highest bits are the signs. */
@@ -144,9 +117,84 @@ SIMD_CLONES static bool is_one_sign(const double *restrict x, uint32_t n)
     return (any ^ all) >= 0;
 }
 
-bool bvh_are_packet(const bvh *tree, const vec_lanes *dir, uint32_t n)
+/* Bring n numbers of some lanes to the front. Whole vectors are stored, which never reach beyond where they come from. */
+static void pick(const bvh_ray_lanes *rays, uint32_t n, const double *from, double *to)
 {
-    return n >= SHADOWS_LEAST && has_nodes(tree) && is_one_sign(dir->x, n) && is_one_sign(dir->y, n) && is_one_sign(dir->z, n);
+#if defined(__AVX512F__) && defined(__GNUC__)
+    (void)n;
+    for (uint64_t rest = rays->which; rest; rest >>= 8, from += 8) {
+        _mm512_storeu_pd(to, _mm512_maskz_compress_pd((__mmask8)rest, _mm512_loadu_pd(from)));
+        to += __builtin_popcountll(rest & 0xff);
+    }
+#else
+    for (uint32_t i = 0; i < n; i++)
+        to[i] = from[rays->of[i]];
+#endif
+}
+
+/* The same of the objects that they cannot hit. */
+static void copy_excluded(const bvh_ray_lanes *rays, uint32_t n, uint32_t to[BVH_LANES])
+{
+    const uint32_t *from = rays->excluded;
+
+    if (!rays->of) {
+        memcpy(to, from, BVH_LANES * sizeof *from);
+        return;
+    }
+#if defined(__AVX512F__) && defined(__GNUC__)
+    (void)n;
+    for (uint64_t rest = rays->which; rest; rest >>= 16, from += 16) {
+        _mm512_storeu_si512(to, _mm512_maskz_compress_epi32((__mmask16)rest, _mm512_loadu_si512(from)));
+        to += __builtin_popcountll(rest & 0xffff);
+    }
+#else
+    for (uint32_t i = 0; i < n; i++)
+        to[i] = from[rays->of[i]];
+#endif
+}
+
+static void copy_axes(const bvh_ray_lanes *rays, uint32_t n, const vec_lanes *from, double to[3][BVH_LANES])
+{
+    if (!rays->of) {
+        memcpy(to, from, sizeof *from);
+        return;
+    }
+    pick(rays, n, from->x, to[0]);
+    pick(rays, n, from->y, to[1]);
+    pick(rays, n, from->z, to[2]);
+}
+
+bool bvh_copy_lanes(bvh_traversal *t, const bvh *tree, const bvh_ray_lanes *rays, uint32_t n)
+{
+    if (n < SHADOWS_LEAST || !has_nodes(tree))
+        return false;
+    copy_axes(rays, n, rays->dir, t->soa.dir);
+    if (!is_one_sign(t->soa.dir[0], n) || !is_one_sign(t->soa.dir[1], n) || !is_one_sign(t->soa.dir[2], n))
+        return false;
+    copy_axes(rays, n, rays->org, t->soa.org);
+    copy_axes(rays, n, rays->org_lo, t->soa.org_lo);
+    copy_excluded(rays, n, t->soa.excluded);
+    repeat_last(&t->soa, n);
+    return true;
+}
+
+uint64_t bvh_take_copied(bvh_traversal *t, uint32_t n, double limit, double end) { return set_out(t, NULL, n, limit, end); }
+
+/* ---- groups ---- */
+
+/* Rays of one octant form a packet for a tree; a list takes all. Most packets are of one octant. */
+static void divide(const bvh *tree, const pov_ray *const *rays, uint32_t n, uint64_t of[8])
+{
+    const uint32_t common = has_nodes(tree) ? bvh_common_octant(rays, n) : 0;
+    uint32_t i;
+
+    for (i = 0; i < 8; i++)
+        of[i] = 0;
+    if (common < 8)
+        of[common] = all_of(n);
+    else
+        for (i = 0; i < n; i++)
+            of[bvh_octant(rays[i])] |= bit_of(i);
 }
 
 /* Are there at least so many lanes? */

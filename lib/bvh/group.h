@@ -18,12 +18,17 @@ uint32_t bvh_divide(const bvh *tree, const bvh_kernels *by, const pov_ray *const
 uint64_t bvh_take(bvh_traversal *t, const pov_ray *taken[BVH_LANES], uint8_t of[BVH_LANES], const pov_ray *const *rays,
                   uint64_t which, double limit, double end);
 
-/* Rays by lane; `excluded` is that of pov_rays. */
-typedef struct bvh_ray_lanes { const vec_lanes *org, *org_lo, *dir; const uint32_t *excluded; } bvh_ray_lanes;
+/* Rays by lane; `excluded` is that of pov_rays. Those of some lanes: as bits, and their numbers in order; of is NULL: of the first ones. */
+typedef struct bvh_ray_lanes {
+    const vec_lanes *org, *org_lo, *dir;
+    const uint32_t *excluded;
+    uint64_t which;
+    const uint8_t *of;
+} bvh_ray_lanes;
 
-/* Would so many rays to something be one packet in a tree? */
-bool bvh_are_packet(const bvh *tree, const vec_lanes *dir, uint32_t n);
-/* As bvh_take() of the first n, of which no records are made. */
-uint64_t bvh_take_lanes(bvh_traversal *t, const bvh_ray_lanes *rays, uint32_t n, double limit, double end);
+/* Copy n rays to light into the lanes of a traversal. False: they would not be one packet in the tree, and are not copied. */
+bool bvh_copy_lanes(bvh_traversal *t, const bvh *tree, const bvh_ray_lanes *rays, uint32_t n);
+/* As bvh_take() of the n that were copied, of which no records are made. */
+uint64_t bvh_take_copied(bvh_traversal *t, uint32_t n, double limit, double end);
 
 #endif

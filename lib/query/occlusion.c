@@ -59,7 +59,12 @@ static bool ask_some(packet *p, uint32_t i, const leaf_batch *r, uint32_t mask)
     return ended;
 }
 
-static inline uint32_t origin_of(const packet *p, uint32_t i) { return p->by_lane ? p->by_lane->origin[i] : p->rays[i]->origin_surface; }
+static inline uint32_t origin_of(const packet *p, uint32_t i)
+{
+    const lane_rays *by = p->by_lane;
+
+    return by ? by->origin[by->lanes.of ? by->lanes.of[i] : i] : p->rays[i]->origin_surface;
+}
 
 /* Does it definitely block light? Of filters only narrow() knows the root that a ray starts on. */
 static inline bool is_blocked(const packet *p, const leaf_batch *r, const pov_candidate *m, uint32_t blocking)
@@ -423,9 +428,8 @@ uint64_t query_occlusion_lanes(const world *w, query_context *k, const lane_rays
     uint64_t dark;
     packet p;
 
-    if (!w->has_tree || !bvh_are_packet(&w->tree, rays->lanes.dir, n))
+    if (!packet_begin_lanes(&p, w, k, rays, n, tmax))
         return query_occlusion(w, k, rays->make(rays->user), n, tmax, out);
-    packet_begin_lanes(&p, w, k, rays, n, tmax);
     if (p.exact)
         packet_make_rays(&p);
     p.slack = packet_near_end(tmax);

@@ -38,14 +38,17 @@ void packet_make_rays(packet *p)
 
 static void make_rays(bvh_traversal *t) { packet_make_rays((packet *)(void *)t); }
 
-void packet_begin_lanes(packet *p, const world *w, query_context *k, const lane_rays *rays, uint32_t n, double tmax)
+bool packet_begin_lanes(packet *p, const world *w, query_context *k, const lane_rays *rays, uint32_t n, double tmax)
 {
+    if (!w->has_tree || !bvh_copy_lanes(&p->traversal, &w->tree, &rays->lanes, n))
+        return false;
     begin(p, w, k, tmax);
     p->by_lane = rays;
     p->traversal.make_rays = make_rays;
     for (uint32_t i = 0; i < n; i++)
         p->of[i] = (uint8_t)i;
-    p->exact = bvh_take_lanes(&p->traversal, &rays->lanes, n, tmax, tmax);
+    p->exact = bvh_take_copied(&p->traversal, n, tmax, tmax);
+    return true;
 }
 
 uint64_t packet_traverse(packet *p, bvh_traverse_fn *traverse, bool nearest)

@@ -137,8 +137,8 @@ static inline uint32_t packet_divide(const world *w, const pov_ray *const *rays,
 /* Begin with the rays that `which` selects; filters look up to `end`. */
 void packet_begin(packet *p, const world *w, query_context *k, const pov_ray *const *rays, uint64_t which, double tmax,
                   double end);
-/* The same with rays by lane, which make one packet. */
-void packet_begin_lanes(packet *p, const world *w, query_context *k, const lane_rays *rays, uint32_t n, double tmax);
+/* The same with rays to light by lane. False: they do not make one packet. */
+bool packet_begin_lanes(packet *p, const world *w, query_context *k, const lane_rays *rays, uint32_t n, double tmax);
 /* Make the records of rays by lane. */
 void packet_make_rays(packet *p);
 /* Traverse the lists and the tree. Returns the lanes that a leaf ended. */

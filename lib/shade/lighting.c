@@ -37,6 +37,8 @@ void lighting_put_rays(lighting *l)
         l->own[i].dir = lanes_at(l->dir, i);
         l->rays[k] = &l->own[i];
     }
+    if (l->sided)
+        shadow_put_sides(l);
 }
 
 /* The lit surfaces. */
@@ -146,14 +148,15 @@ static bool arrive(lighting *l, const scene_light *from, light_sample *s, light_
 
     from->class->incident(from->light, &origin, &at, in);
     grazing = brdf_cosines(s, g, &in->dir, brdf_shines(&l->finishes), lanes_whole(at.n));
-    l->sides = sided || grazing;
-    if (l->sides)
-        begin_rays(l);
+    l->sided = sided;
+    l->apart = grazing && !sided;
     if (sided)
-        shadow_name_sides(l, l->finishes.lit, l->finishes.count, &in->dir);
-    else if (grazing)
-        shadow_name_origins(l, s->cosine);
-    return grazing && !sided;
+        shadow_find_sides(l, &in->dir);
+    if (!l->apart)
+        return false;
+    begin_rays(l);
+    shadow_name_origins(l, s->cosine);
+    return true;
 }
 
 static void reflect(lighting *l, const scene_light *from, const finishes *f, light_sample *s, const light_lanes *in)
@@ -177,7 +180,8 @@ static void add_light_source(lighting *l, const scene_light *from)
         photons_aim(c, (size_t)(from - c->scene->lights));
     named = arrive(l, from, &s, &in);
     reflect(l, from, &l->finishes, &s, &in);
-    l->count = lane_mask_list(contributing(l, &l->finishes, &s), l->of);
+    l->which = contributing(l, &l->finishes, &s);
+    l->count = lane_mask_list(l->which, l->of);
     if (l->count > 0)
         add_visible(l, from, &s, &in);
     if (named)
@@ -361,7 +365,8 @@ static void ask(lighting *l, const scene_light *from, const light_lanes *in, uin
     colour through[BATCH_MAX];
     uint64_t rays;
 
-    l->count = lane_mask_list(lanes & ~known->asked, l->of);
+    l->which = lanes & ~known->asked;
+    l->count = lane_mask_list(l->which, l->of);
     known->asked |= lanes;
     if (l->count == 0)
         return;

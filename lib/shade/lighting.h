@@ -14,10 +14,14 @@ typedef struct lighting {
     const pov_ray *rays[BATCH_MAX];   /* those to the light, once they are put */
     const vec_lanes *dir;        /* their directions, by lane */
     uint64_t begun;              /* surfaces whose rays have their starts in `own` */
-    bool named;                  /* `origin` and `excluded` are those of the surfaces: see lane_rays */
-    bool sides;                  /* what is known of the sides that rays go to is in `own` alone */
+    bool named;                  /* `origin`, `away` and, unless they are sided, `excluded` are those of the surfaces: see lane_rays */
+    bool sided;                  /* which sides rays go to is in `side` */
+    bool apart;                  /* what is known of the sides that rays go to is in `own` alone */
     uint32_t origin[BATCH_MAX], excluded[BATCH_MAX];
-    uint8_t of[BATCH_MAX];       /* lanes of their origin surfaces */
+    uint32_t away[BATCH_MAX];    /* bits of the sides to which rays leave the surface's object */
+    SIMD_ALIGNED int64_t side[BATCH_MAX];
+    uint64_t which;              /* lanes of their origin surfaces */
+    uint8_t of[BATCH_MAX];       /* the same, in order */
     uint8_t seen[BATCH_MAX];     /* the same of all rays, while some of them are traced */
     finishes finishes;
     struct photon_work *photons; /* memory for the light of photons; NULL: there is none */

@@ -89,20 +89,32 @@ bool shadow_is_white(const lighting *l, const scene_light *from)
 
 bool shadow_is_by_lane(const lighting *l, const scene_light *from)
 {
-    return l->count == l->on->count && !l->sides && !l->on->shared && shadow_is_white(l, from);
+    return !l->apart && !l->on->shared && shadow_is_white(l, from);
 }
+
+/* Which side of their surfaces directions go to: to that of the normal, the other, or neither, as in world_origin_aim(). */
+enum { SIDE_NEITHER, SIDE_UP, SIDE_DOWN };
 
 /* As world_origin_reflect() names them, and ray_soa_excluded(). */
 static void name_lanes(lighting *l)
 {
     for (uint32_t i = 0; !l->named && i < l->on->count; i++) {
         const hit *h = l->on->at[i].at;
-        const uint32_t flags = h->crossing.mark.flags | (h->outside ? POV_MARK_OUTWARD : 0);
+        const uint32_t away = h->outside ? 1u << SIDE_UP : 1u << SIDE_DOWN;
 
         l->origin[i] = h->object;
-        l->excluded[i] = flags & POV_MARK_OUTWARD ? h->object : POV_NO_OWNER;
+        l->away[i] = h->crossing.mark.flags & POV_MARK_OUTWARD ? ~0u : away;
+        l->excluded[i] = l->away[i] >> SIDE_UP & 1 ? h->object : POV_NO_OWNER;
     }
     l->named = true;
+}
+
+/* The same by their sides. */
+SIMD_CLONES static void exclude_by_side(const uint32_t *restrict origin, const uint32_t *restrict away, const int64_t *restrict side, uint32_t n,
+                                        uint32_t *restrict out)
+{
+    for (uint32_t i = 0; i < n; i++)
+        out[i] = away[i] >> (uint32_t)side[i] & 1 ? origin[i] : POV_NO_OWNER;
 }
 
 static const pov_ray *const *make_rays(void *user)
@@ -116,9 +128,12 @@ static const pov_ray *const *make_rays(void *user)
 uint64_t shadow_trace_lanes(lighting *l, segment_end end)
 {
     const incidence *at = &l->on->geometry.to;
-    const lane_rays rays = { { &at->point, &at->point_lo, l->dir, l->excluded }, l->origin, make_rays, l };
+    const uint8_t *of = l->count < l->on->count ? l->of : NULL;
+    const lane_rays rays = { { &at->point, &at->point_lo, l->dir, l->excluded, l->which, of }, l->origin, make_rays, l };
 
     name_lanes(l);
+    if (l->sided)
+        exclude_by_side(l->origin, l->away, l->side, lanes_whole(l->on->count), l->excluded);
     l->context->counts.shadow += l->count;
     return transmittance_find_lanes(l->context, &rays, l->count, end);
 }
@@ -184,10 +199,7 @@ void shadow_name_origins(lighting *l, const double *cosines)
     }
 }
 
-/* Which side of their surfaces directions go to: to that of the normal, the other, or neither, as in world_origin_aim(). The
- * sum of a direction's components' sizes is a bound of its length. */
-enum { SIDE_NEITHER, SIDE_UP, SIDE_DOWN };
-
+/* The sum of a direction's components' sizes is a bound of its length. */
 SIMD_CLONES static void find_sides(const vec_lanes *restrict dir, const vec_lanes *restrict normal, uint32_t n,
                                    int64_t *restrict side)
 {
@@ -200,17 +212,27 @@ SIMD_CLONES static void find_sides(const vec_lanes *restrict dir, const vec_lane
     }
 }
 
-/* The same where the shading normal does not tell the side of a ray: the geometric one does. */
-void shadow_name_sides(lighting *l, const uint8_t *lanes, uint32_t count, const vec_lanes *dir)
+void shadow_find_sides(lighting *l, const vec_lanes *dir)
+{
+    find_sides(dir, &l->on->geometry.to.normal, lanes_whole(l->on->count), l->side);
+}
+
+static void put_sides(lighting *l, const uint8_t *lanes, uint32_t count)
 {
     static const uint32_t names[2][3] = { { 0, POV_MARK_INWARD, POV_MARK_OUTWARD }, { 0, POV_MARK_OUTWARD, POV_MARK_INWARD } };
-    SIMD_ALIGNED int64_t side[LANES_MAX];
 
-    find_sides(dir, &l->on->geometry.to.normal, lanes_whole(l->on->count), side);
     for (uint32_t k = 0; k < count; k++) {
         const uint32_t i = lanes[k];
         const hit *h = l->on->at[i].at;
 
-        l->own[i].origin_mark.flags = h->crossing.mark.flags | names[h->outside][side[i]];
+        l->own[i].origin_mark.flags = h->crossing.mark.flags | names[h->outside][l->side[i]];
     }
+}
+
+void shadow_put_sides(lighting *l) { put_sides(l, l->of, l->count); }
+
+void shadow_name_sides(lighting *l, const uint8_t *lanes, uint32_t count, const vec_lanes *dir)
+{
+    shadow_find_sides(l, dir);
+    put_sides(l, lanes, count);
 }

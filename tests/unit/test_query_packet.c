@@ -115,12 +115,14 @@ static void same_light(subject *s, const pov_ray *const *rays, uint32_t n, doubl
 
 static const pov_ray *const *make_known(void *user) { return user; }
 
-/* Light by lane is that of records, where whatever is there blocks it. */
+/* Light by lane is that of records, where whatever is there blocks it: of all lanes, and of two of three. */
 static void same_by_lane(subject *s, const pov_ray **rays, uint32_t n, double tmax)
 {
-    uint32_t starts[WORLD_MANY], excluded[WORLD_MANY];
+    uint32_t starts[WORLD_MANY], excluded[WORLD_MANY], count = 0;
+    const pov_ray *some[WORLD_MANY];
+    uint8_t of[WORLD_MANY];
     vec_lanes org, org_lo, dir;
-    const lane_rays lanes = { { &org, &org_lo, &dir, excluded }, starts, make_known, rays };
+    lane_rays lanes = { { &org, &org_lo, &dir, excluded, 0, NULL }, starts, make_known, rays };
     occlusion records, by_lane;
 
     for (uint32_t i = 0; i < n; i++) {
@@ -129,9 +131,19 @@ static void same_by_lane(subject *s, const pov_ray **rays, uint32_t n, double tm
         lanes_put(&dir, i, rays[i]->dir);
         starts[i] = rays[i]->origin_surface;
         excluded[i] = rays[i]->origin_mark.flags & POV_MARK_OUTWARD ? starts[i] : POV_NO_OWNER;
+        if (i % 3 == 1)
+            continue;
+        some[count] = rays[i];
+        of[count++] = (uint8_t)i;
+        lanes.lanes.which |= (uint64_t)1 << i;
     }
     assert_true(query_occlusion(s->world, s->context, rays, n, tmax, &records) ==
                 query_occlusion_lanes(s->world, s->context, &lanes, n, tmax, &by_lane));
+    assert_true(records.near_end == by_lane.near_end);
+    lanes.lanes.of = of;
+    lanes.user = some;
+    assert_true(query_occlusion(s->world, s->context, some, count, tmax, &records) ==
+                query_occlusion_lanes(s->world, s->context, &lanes, count, tmax, &by_lane));
     assert_true(records.near_end == by_lane.near_end);
 }
 
