@@ -253,11 +253,12 @@ static void begin_common(finishes *f, const surfaces *on, const appearance *a)
 static void begin_coloured(finishes *f, const surfaces *on)
 {
     const appearance *a = on->at[0].appearance;
+    const bool holds = !a->kinds && a != on->coloured;
 
-    if (a->kinds)
+    if (!holds)
         f->held = NULL;
-    begin_common(f, on, a->kinds ? a : on->coloured);
-    if (a->kinds)
+    begin_common(f, on, holds ? on->coloured : a);
+    if (!holds)
         f->held = NULL;
     memcpy(f->red, on->pigment.red, sizeof f->red);
     memcpy(f->green, on->pigment.green, sizeof f->green);

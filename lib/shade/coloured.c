@@ -31,6 +31,13 @@ SIMD_CLONES static void find_emitted(colour ambient, colour ambient_light, colou
     }
 }
 
+void coloured_set(surfaces *s, const appearance *of)
+{
+    for (uint32_t i = 0; i < s->count; i++)
+        s->at[i].appearance = &s->varying[0];
+    s->coloured = of;
+}
+
 bool coloured_put(const shading *scene, const appearance *of, const pigment *value, surfaces *s)
 {
     const material *own = s->at[0].appearance->material;
@@ -43,8 +50,6 @@ bool coloured_put(const shading *scene, const appearance *of, const pigment *val
     appearance_set_material(out, own);
     appearance_repaint_plain(out, scene->model, value);
     find_emitted(f->ambient, scene->model->ambient_light, f->emission, lanes_whole(s->count), &s->pigment, &s->emitted);
-    for (uint32_t i = 0; i < s->count; i++)
-        s->at[i].appearance = out;
-    s->coloured = of;
+    coloured_set(s, of);
     return true;
 }

@@ -1,6 +1,7 @@
 #include "shade/merge.h"
 
 #include "base/simd.h"
+#include "shade/coloured.h"
 
 /* The sum of a surface's terms, each by what those above it leave. */
 typedef struct term_sum {
@@ -368,16 +369,24 @@ static void add_next_level(const model *m, const alike *a, uint32_t k, uint32_t 
 }
 
 /* What a lane shows once all levels have been added. */
-static void set_lane(const shading *scene, const alike *a, const sums *from, uint32_t i, surfaces *s)
+static term_sum sum_of(const shading *scene, const alike *a, const sums *from, uint32_t i)
 {
     const sum_lanes *l = &from->of[a->levels & 1];
     const pigment lowest = { .filter = from->level.filter[i], .transmit = from->level.transmit[i] };
-    const uint32_t lane = a->lane[i], last = (uint32_t)l->last[i];
+    const uint32_t last = (uint32_t)l->last[i];
     const term_sum sum = { .scene = scene, .any = a->of[last], .lit = last >= from->first_lit,
                            .diffuse = colour_of(l->diffuse[0][i], l->diffuse[1][i], l->diffuse[2][i]),
                            .emitted = colour_of(l->emitted[0][i], l->emitted[1][i], l->emitted[2][i]),
                            .left = colour_of(l->left[0][i], l->left[1][i], l->left[2][i]),
                            .goes_on = last + 1 == a->levels && appearance_transmits(scene->plan, &lowest) };
+
+    return sum;
+}
+
+static void set_lane(const shading *scene, const alike *a, const sums *from, uint32_t i, surfaces *s)
+{
+    const term_sum sum = sum_of(scene, a, from, i);
+    const uint32_t lane = a->lane[i];
 
     set(&sum, s->at[lane].appearance->material, &s->varying[lane]);
     s->at[lane].appearance = &s->varying[lane];
@@ -455,6 +464,37 @@ bool merge_takes_layers(const shading *scene, const texture *of)
     return find_levels(scene, of, &a);
 }
 
+/* Does light go through none of the lanes, and is it seen of all or of none? Then they differ by their colours alone. */
+static bool differ_by_colours(const shading *scene, const alike *a, const sums *from, uint32_t n)
+{
+    const sum_lanes *l = &from->of[a->levels & 1];
+    const bool transmission = scene->plan->transmission, lit = (uint32_t)l->last[0] >= from->first_lit;
+    bool differ = true;
+
+    for (uint32_t i = 0; i < n; i++) {
+        const uint32_t last = (uint32_t)l->last[i];
+        const bool clear = (from->level.filter[i] != 0.0f) | (from->level.transmit[i] != 0.0f);
+
+        differ &= (last >= from->first_lit) == lit && !(transmission && clear && last + 1 == a->levels);
+    }
+    return differ;
+}
+
+static void set_all(const shading *scene, const alike *a, const sums *from, surfaces *s)
+{
+    const sum_lanes *l = &from->of[a->levels & 1];
+    const term_sum first = sum_of(scene, a, from, 0);
+
+    set(&first, s->at[0].appearance->material, &s->varying[0]);
+    memcpy(s->pigment.red, l->diffuse[0], sizeof s->pigment.red);
+    memcpy(s->pigment.green, l->diffuse[1], sizeof s->pigment.green);
+    memcpy(s->pigment.blue, l->diffuse[2], sizeof s->pigment.blue);
+    memcpy(s->emitted.red, l->emitted[0], sizeof s->emitted.red);
+    memcpy(s->emitted.green, l->emitted[1], sizeof s->emitted.green);
+    memcpy(s->emitted.blue, l->emitted[2], sizeof s->emitted.blue);
+    coloured_set(s, &s->varying[0]);
+}
+
 void merge_layers(const shading *scene, const texture *of, const texture_points *points, surfaces *s)
 {
     const uint32_t whole = whole_eights(s->count);
@@ -472,8 +512,12 @@ void merge_layers(const shading *scene, const texture *of, const texture_points 
         take_pigments(&sum.level, s->count, pigments);
         add_next_level(scene->model, &a, k, whole, &sum);
     }
-    for (uint32_t i = 0; i < s->count; i++) {
+    for (uint32_t i = 0; i < s->count; i++)
         a.lane[i] = (uint8_t)i;
-        set_lane(scene, &a, &sum, i, s);
+    if (differ_by_colours(scene, &a, &sum, s->count)) {
+        set_all(scene, &a, &sum, s);
+        return;
     }
+    for (uint32_t i = 0; i < s->count; i++)
+        set_lane(scene, &a, &sum, i, s);
 }
