@@ -348,6 +348,14 @@ static void begin_none(const surfaces *s, painted *p)
     p->merged = 0;
 }
 
+/* The normals of all surfaces, which are of one texture. */
+static void perturb_all(const shading *scene, const group *g, surfaces *s)
+{
+    copy_lanes(&g->points.normal, g->count, &s->geometry.bent);
+    normal_eval(scene->model, g->texture->normal, NULL, &g->points, g->count, &s->geometry.bent);
+    s->geometry.shading = &s->geometry.bent;
+}
+
 /* Surfaces of one pigment need no terms: their normals alone are bent. False: they are not all of one such material. */
 static bool find_normals_alike(const shading *scene, surfaces *s, painted *p)
 {
@@ -358,9 +366,7 @@ static bool find_normals_alike(const shading *scene, surfaces *s, painted *p)
         return false;
     begin(&g, of);
     add_all(&g, scene, s);
-    copy_lanes(&g.points.normal, g.count, &s->geometry.bent);
-    normal_eval(scene->model, of->normal, NULL, &g.points, g.count, &s->geometry.bent);
-    s->geometry.shading = &s->geometry.bent;
+    perturb_all(scene, &g, s);
     begin_none(s, p);
     return true;
 }
@@ -389,7 +395,8 @@ static const texture *texture_of_first(const surfaces *s)
     return of && of->varies && !of->stack ? of->material->texture : NULL;
 }
 
-/* Surfaces of one material with one layer, whose normals are their own, need no terms either. False: they are not such. */
+/* Surfaces of one material with one layer, whose pigment does not ask for perturbed normals, need no terms either. False: they are not
+ * such. */
 static bool paint_alike(const shading *scene, surfaces *s, painted *p)
 {
     const texture *of = texture_of_first(s);
@@ -398,10 +405,12 @@ static bool paint_alike(const shading *scene, surfaces *s, painted *p)
     bool coloured;
     group g;
 
-    if (!of || of->blend != BLEND_NONE || of->normal || !are_alike(s))
+    if (!of || s->at[0].appearance->one_pigment || of->blend != BLEND_NONE || !are_alike(s) || texture_sees_bent(of))
         return false;
     begin(&g, of);
     add_all(&g, scene, s);
+    if (of->normal)
+        perturb_all(scene, &g, s);
     pigment_eval(scene->model, of->pigment, &g.points, g.count, pigments);
     finished = shading_finish(scene, &of->finish);
     coloured = coloured_put(scene, finished, pigments, s);

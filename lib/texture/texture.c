@@ -107,7 +107,7 @@ static bool asks_normals(const texture *of, bool *perturbs)
     return sees;
 }
 
-static bool sees_bent(const texture *of)
+bool texture_sees_bent(const texture *of)
 {
     bool perturbs = false;
     const bool sees = asks_normals(of, &perturbs);
@@ -249,7 +249,7 @@ uint32_t texture_eval(const model *m, const texture *of, const texture_points *p
     t.model = m;
     t.items = out;
     t.count = 0;
-    t.sees = points->has_surface && sees_bent(of);
+    t.sees = points->has_surface && texture_sees_bent(of);
     if (t.sees)
         t.seen = points->normal;
     all.around = NULL;

@@ -50,6 +50,8 @@ uint32_t texture_eval(const model *m, const texture *of, const texture_points *p
 uint32_t texture_most_terms(const texture *of);
 /* Does some pattern depend on where the surface is seen from? */
 bool texture_is_of_view(const texture *of);
+/* Does some pattern of it see normals that it perturbs? */
+bool texture_sees_bent(const texture *of);
 /* Does some pattern ask where in the world points are? */
 bool texture_is_of_world(const texture *of);
 /* Factors of light that crosses the surface. */

@@ -96,17 +96,20 @@ static void colours_of_one_finish_have_the_bits_of_terms(void **state)
         "reflection .3", "reflection { .1, .5 } specular .3", "reflection { .4 metallic }", "irid { .4 thickness .3 turbulence .5 }",
     };
     static const char *const pigments[] = { "bozo scale .2 color_map { [0 rgb <1, .2, .1>] [1 rgb <0, .5, 2>] }",
-                                            "bozo scale .2 color_map { [0 rgb <1, .2, .1>] [1 rgbt <0, .5, 2, .5>] }" };
+                                            "bozo scale .2 color_map { [0 rgb <1, .2, .1>] [1 rgbt <0, .5, 2, .5>] }",
+                                            "aoi color_map { [.5 rgb <1, .2, .1>] [1 rgb <0, .5, 2>] }" };
+    enum { PIGMENTS = sizeof pigments / sizeof pigments[0], EACH = 4 * PIGMENTS };
     static float of_terms[4 * COUNT];
 
     (void)state;
-    for (size_t k = 0; k < 4 * (sizeof finishes / sizeof finishes[0]); k++) {
-        const char *const finish = finishes[k / 4], *const both = k & 2 ? "double_illuminate" : "";
+    for (size_t k = 0; k < EACH * (sizeof finishes / sizeof finishes[0]); k++) {
+        const char *const finish = finishes[k / EACH], *const pigment = pigments[k % PIGMENTS];
+        const char *const both = k / PIGMENTS & 1 ? "double_illuminate" : "", *const normal = k / PIGMENTS & 2 ? "normal { bumps .6 scale .2 }" : "";
         char alone[TEXT], list[TEXT];
 
-        assert_true(snprintf(alone, sizeof alone, "texture { pigment { %s } finish { F } } %s", pigments[k % 2], both) < TEXT);
-        assert_true(snprintf(list, sizeof list, "translate -9*z } #declare T = texture { pigment { %s } finish { F } } "
-                             "sphere { 0, 1 texture { checker texture { T } texture { T } } %s", pigments[k % 2], both) < TEXT);
+        assert_true(snprintf(alone, sizeof alone, "texture { pigment { %s } %s finish { F } } %s", pigment, normal, both) < TEXT);
+        assert_true(snprintf(list, sizeof list, "translate -9*z } #declare T = texture { pigment { %s } %s finish { F } } "
+                             "sphere { 0, 1 texture { checker texture { T } texture { T } } %s", pigment, normal, both) < TEXT);
         memcpy(of_terms, colours_of("3.7", finish, list), sizeof of_terms);
         assert_memory_equal(of_terms, colours_of("3.7", finish, alone), sizeof of_terms);
     }
