@@ -44,6 +44,12 @@ static bool may_overlap_own(const asking *a, const instance_xform *x, const shap
            shaft_may_overlap(&moved, &own);
 }
 
+/* x: NULL: its own space is the world. */
+static bool find_outline(const shape_class *shape, const void *self, const instance_xform *x, pov_outline *out)
+{
+    return shape->outline && shape->outline(self, out) && (!x || instance_outline(x, out));
+}
+
 /* ---- trees ---- */
 
 /* More are not told apart. */
@@ -79,10 +85,20 @@ static bool may_show(const asking *a, const csg_tree *t, const csg_member *m)
     return true;
 }
 
-/* What a member of a tree shows of its surface lies in the tree's box too. */
-static bool add_member(const asking *a, const csg_tree *t, const csg_member *m)
+/* The convex member of which a tree is all that is in none of the others. NULL: there is none. */
+static const csg_member *body_of(const csg_tree *t)
 {
-    blocker b = { .box = m->boxed ? m->box : t->box };
+    const uint32_t within = t->chords.within;
+
+    if (!t->chords.all || t->open_count > 0 || (within & (within - 1)) != 0)
+        return NULL;
+    return &t->members[t->chords.member[first_of(within)]];
+}
+
+/* What a member of a tree shows of its surface lies in the tree's box too. body: the member of which what is in no other one stops light. */
+static bool add_member(const asking *a, const csg_tree *t, const csg_member *m, const csg_member *body)
+{
+    blocker b = { .box = m->boxed ? m->box : t->box, .tree = t->members[0].leaf + 1 };
     const bool is_plane = !m->xform && !m->boxed && find_plane(m->shape, m->instance, &b.plane);
 
     if (csg_is_unseen(m) || m->absent || is_left(a, m->shape, m->leaf, is_plane))
@@ -91,7 +107,11 @@ static bool add_member(const asking *a, const csg_tree *t, const csg_member *m)
         return (t->boxed && !shaft_may_overlap(a->in, &t->box)) || add_plane(a, &b);
     if (!m->boxed && !t->boxed)
         return false;
-    return !shaft_may_overlap(a->in, &b.box) || !may_show(a, t, m) || a->add(a->user, &b);
+    if (!shaft_may_overlap(a->in, &b.box) || !may_show(a, t, m))
+        return true;
+    b.outlined = m->boxed && find_outline(m->shape, m->instance, m->xform, &b.solid);
+    b.hides = b.outlined && m == body;
+    return a->add(a->user, &b);
 }
 
 static const csg_tree *tree_of(const leaf_batch *r, uint32_t lane)
@@ -101,32 +121,34 @@ static const csg_tree *tree_of(const leaf_batch *r, uint32_t lane)
     return t && t->member_count <= MEMBERS_MAX ? t : NULL;
 }
 
-static bool add_tree(const asking *a, const csg_tree *t)
+static bool add_tree(const asking *a, const csg_tree *t, bool opaque)
 {
+    const csg_member *body = opaque ? body_of(t) : NULL;
+
     for (uint32_t i = 0; i < t->member_count; i++)
-        if (!add_member(a, t, &t->members[i]))
+        if (!add_member(a, t, &t->members[i], body))
             return false;
     return true;
 }
 
 /* ---- other objects ---- */
 
-/* A convex solid whose whole surface is there, in the world. */
-static bool find_solid(const shape_class *shape, const leaf_batch *r, uint32_t lane, pov_outline *out)
+/* Is it a convex solid whose whole surface is there, and stops light? */
+static bool is_whole(const leaf_batch *r, uint32_t lane)
 {
-    const void *self = leaf_batch_instance(r, lane);
+    const shape_class *shape = r->shape;
 
-    return shape->outline && (shape->flags & POV_SHAPE_CONVEX) && !(r->flags & LEAF_INSTANCED) && !(shape->open && shape->open(self)) &&
-           shape->outline(self, out);
+    return (r->opaque & r->plain & 1u << lane) && (shape->flags & POV_SHAPE_CONVEX) && !(shape->open && shape->open(leaf_batch_instance(r, lane)));
 }
 
 /* The shape's own box, or else the leaf's. */
 static bool add_boxed(const asking *a, const leaf_batch *r, uint32_t lane, const pov_box *leaf)
 {
+    const instance_xform *x = r->flags & LEAF_INSTANCED ? leaf_batch_xform(r) : NULL;
     const uint32_t flags = r->shape->flags;
     blocker b = { .is_box = false };
 
-    if (!(r->flags & LEAF_INSTANCED) && r->object[lane] < a->world->model->leaves.count &&
+    if (!x && r->object[lane] < a->world->model->leaves.count &&
         r->shape->bounds(leaf_batch_instance(r, lane), &b.box)) {
         b.is_box = flags & POV_SHAPE_BOX;
         b.is_sphere = flags & POV_SHAPE_SPHERE;
@@ -137,8 +159,11 @@ static bool add_boxed(const asking *a, const leaf_batch *r, uint32_t lane, const
     }
     if (!shaft_may_overlap(a->in, &b.box))
         return true;
-    b.hides = (r->opaque & r->plain & 1u << lane) && find_solid(r->shape, r, lane, &b.solid);
-    return ((r->flags & LEAF_INSTANCED) && !may_overlap_own(a, leaf_batch_xform(r), r->shape, r->instances)) || a->add(a->user, &b);
+    if (x && !may_overlap_own(a, x, r->shape, r->instances))
+        return true;
+    b.outlined = find_outline(r->shape, leaf_batch_instance(r, lane), x, &b.solid);
+    b.hides = b.outlined && is_whole(r, lane);
+    return a->add(a->user, &b);
 }
 
 static bool add_shape(const asking *a, const leaf_batch *r, uint32_t lane, const pov_box *leaf)
@@ -151,7 +176,7 @@ static bool add_shape(const asking *a, const leaf_batch *r, uint32_t lane, const
         return true;
     if (is_plane)
         return add_plane(a, &b);
-    return t ? add_tree(a, t) : add_boxed(a, r, lane, leaf);
+    return t ? add_tree(a, t, r->opaque >> lane & 1) : add_boxed(a, r, lane, leaf);
 }
 
 static bool add_leaf(void *user, const void *leaf, const pov_box *box)

@@ -64,7 +64,8 @@ typedef struct blocker {
     pov_half_space plane;        /* which it is the surface of, if is_plane */
     bool is_box, is_sphere;      /* its surface lies on the box's, or on the sphere inscribed in it */
     bool is_plane;
-    bool hides;                  /* all of its inside stops light, and is convex: `solid`, where the world has it */
+    bool outlined, hides;        /* its surface lies on that of `solid`, in the world; all of its inside stops light, and is convex */
+    uint32_t tree;               /* not 0: it is a member of this tree. What hides is then all that is in no other member of it. */
     pov_outline solid;
 } blocker;
 

@@ -1,4 +1,4 @@
-/* area_cover.h - parts of an area light that a convex solid certainly hides from a point. */
+/* area_cover.h - parts of an area light that a solid certainly hides from a point, and parts that it certainly does not. */
 #ifndef SHADE_AREA_COVER_H
 #define SHADE_AREA_COVER_H
 
@@ -11,15 +11,20 @@
 typedef struct area_cover {
     double lo[3], hi[3], rate[3][3];
     double constant, along[3], square[6];
+    double wide_lo[3], wide_hi[3], wide_constant;   /* the same of the solid, a little larger */
     uint32_t slabs;
     bool round;
+    bool outside;                /* the point certainly is outside */
+    bool apart;                  /* and beyond the quadric, by more than all roundings */
 } area_cover;
 
 /* from: the point; to: the direction to the light's position, from which places are measured along the axes. False: nothing can be
- * told, such as from within the solid. */
+ * told. */
 bool area_cover_make(area_cover *c, const pov_outline *solid, pov_vec3 from, pov_vec3 to, const pov_vec3 axes[2]);
-/* Do the segments to all places of the part enter the solid well before their ends? */
+/* Do the segments to all places of the part start outside of the solid, which is convex, and enter it well before their ends? */
 bool area_cover_hides(const area_cover *c, const grid_part *part);
+/* Do all of them certainly pass its surface? */
+bool area_cover_misses(const area_cover *c, const grid_part *part);
 
 /* Parts side by side, in whole vectors; points: each is one place. */
 enum { AREA_PARTS = 64 };
@@ -28,6 +33,7 @@ typedef struct area_parts { SIMD_ALIGNED double lo[2][AREA_PARTS], hi[2][AREA_PA
 void area_parts_find(const light_grid *g, uint32_t k, area_parts *out);
 /* Which of these, bit by bit. */
 uint64_t area_cover_hides_of(const area_cover *c, const area_parts *parts);
+uint64_t area_cover_misses_of(const area_cover *c, const area_parts *parts);
 /* Which of them overlap another part. */
 uint64_t area_parts_overlap(const area_parts *parts, const grid_part *other);
 

@@ -187,28 +187,28 @@ static bool holds(const plane *p, const shaft *s, const blocker *b)
 
 typedef struct finding { plane plane; grid_part all; shaft shaft; area_view *out; } finding;
 
-/* True: it hides all of the light. */
-static bool add_cover(finding *f, const blocker *b)
+static void find_cover(const finding *f, const blocker *b, area_shadow *out)
 {
-    area_cover *c = &f->out->covers[f->out->cover_count];
-
-    if (!b->hides || !area_cover_make(c, &b->solid, f->plane.from, f->plane.to, f->plane.axes))
-        return false;
-    f->out->cover_count++;
-    return area_cover_hides(c, &f->all);
+    out->outlined = b->outlined && area_cover_make(&out->cover, &b->solid, f->plane.from, f->plane.to, f->plane.axes);
+    out->hides = out->outlined && b->hides;
+    out->tree = b->tree;
 }
 
 static bool add_blocker(void *user, const blocker *b)
 {
     finding *f = user;
-    const grid_part part = shadow_of(&f->plane, &f->all, b);
+    area_view *out = f->out;
+    area_shadow s = { .part = shadow_of(&f->plane, &f->all, b) };
 
-    if (!grid_parts_overlap(&part, &f->all) || holds(&f->plane, &f->shaft, b))
+    if (!grid_parts_overlap(&s.part, &f->all) || holds(&f->plane, &f->shaft, b))
         return true;
-    f->out->dark = add_cover(f, b);
-    if (f->out->dark || f->out->count == AREA_VIEW_MAX)
+    find_cover(f, b, &s);
+    if (s.outlined && area_cover_misses(&s.cover, &f->all))
+        return true;
+    out->dark = s.hides && !s.tree && area_cover_hides(&s.cover, &f->all);
+    if (out->dark || out->count == AREA_VIEW_MAX)
         return false;
-    f->out->hidden[f->out->count++] = part;
+    out->shadows[out->count++] = s;
     return true;
 }
 
@@ -238,12 +238,16 @@ static bool make_shaft(const plane *p, const grid_part *all, shaft *s)
     return shaft_make(s, p->from, corner);
 }
 
-/* Something may hide all of it. */
+/* Something else may hide all of it; and some members of trees are not known. */
 static void hide_all(area_view *out)
 {
-    out->dark = false;
-    out->count = 1;
-    out->hidden[0] = (grid_part){ { -HUGE_VAL, -HUGE_VAL }, { HUGE_VAL, HUGE_VAL } };
+    area_shadow *s = &out->shadows[out->count < AREA_VIEW_MAX ? out->count++ : AREA_VIEW_MAX - 1];
+
+    for (uint32_t i = 0; i < out->count; i++)
+        out->shadows[i].hides = out->shadows[i].hides && !out->shadows[i].tree;
+    s->part = (grid_part){ { -HUGE_VAL, -HUGE_VAL }, { HUGE_VAL, HUGE_VAL } };
+    s->outlined = s->hides = false;
+    s->tree = 0;
 }
 
 void area_view_find(const shading *scene, const scene_light *from, const hit *h, pov_vec3 normal, pov_vec3 to, area_view *out)
@@ -251,21 +255,41 @@ void area_view_find(const shading *scene, const scene_light *from, const hit *h,
     finding f = { .all = from->grid->all, .out = out };
 
     out->dark = false;
-    out->count = out->cover_count = 0;
+    out->count = 0;
     if ((!make_plane(from->light, h->point, to, &f.plane) || !make_shaft(&f.plane, &f.all, &f.shaft) ||
          !query_blockers(scene->world, &f.shaft, find_left(h, normal, f.shaft.corner), add_blocker, &f)) && !out->dark)
         hide_all(out);
 }
 
+/* Parts that it may hide. */
+static uint64_t open_of(const area_shadow *s, const area_parts *parts)
+{
+    const uint64_t may = area_parts_overlap(parts, &s->part);
+
+    return may && s->outlined ? may & ~area_cover_misses_of(&s->cover, parts) : may;
+}
+
+/* Parts that the i-th shadow certainly hides; may: those that each may. */
+static uint64_t hidden_of(const area_view *v, uint32_t i, const area_parts *parts, const uint64_t *may)
+{
+    const uint32_t tree = v->shadows[i].tree;
+    uint64_t hollow = 0;
+
+    for (uint32_t k = 0; tree && k < v->count; k++)
+        hollow |= k != i && v->shadows[k].tree == tree ? may[k] : 0;
+    return area_cover_hides_of(&v->shadows[i].cover, parts) & ~hollow;
+}
+
 uint64_t area_view_open(const area_view *v, const area_parts *parts, uint64_t *lit)
 {
     const uint64_t all = ~(uint64_t)0 >> (AREA_PARTS - parts->count);
-    uint64_t open = 0;
+    uint64_t open = 0, may[AREA_VIEW_MAX];
 
     for (uint32_t i = 0; i < v->count; i++)
-        open |= area_parts_overlap(parts, &v->hidden[i]);
+        open |= may[i] = open_of(&v->shadows[i], parts);
     *lit = all & ~open;
-    for (uint32_t i = 0; open && i < v->cover_count; i++)
-        open &= ~area_cover_hides_of(&v->covers[i], parts);
+    for (uint32_t i = 0; open && i < v->count; i++)
+        if (v->shadows[i].hides && (open & may[i]))
+            open &= ~hidden_of(v, i, parts, may);
     return open;
 }

@@ -6,14 +6,13 @@
 #include "shade/area_cover.h"
 #include "shade/shading.h"
 
-/* Parts of the light's grid that something may hide, and what hides some of it for certain; dark: something hides all of it. */
+/* A part of the light's grid that something may hide, and the solid that does, where that is known; hides: it certainly does, or if it is
+ * of a tree, where no other shadow of that may lie. */
+typedef struct area_shadow { grid_part part; bool outlined, hides; uint32_t tree; area_cover cover; } area_shadow;
+
+/* dark: something hides all of the light. */
 enum { AREA_VIEW_MAX = 6 };
-typedef struct area_view {
-    bool dark;
-    uint32_t count, cover_count;
-    grid_part hidden[AREA_VIEW_MAX];
-    area_cover covers[AREA_VIEW_MAX + 1];
-} area_view;
+typedef struct area_view { bool dark; uint32_t count; area_shadow shadows[AREA_VIEW_MAX]; } area_view;
 
 /* h: a completed hit; normal: the geometric one there, unit, which faces the ray's start; to: the direction to the light's
  * position. */

@@ -67,6 +67,8 @@ void instance_rotate_normals(const instance_xform *p, pov_vec3 *normals, uint32_
 pov_two3 instance_point(const instance_xform *p, pov_vec3 point, pov_vec3 point_lo);
 /* The same n times, bit for bit, in place. */
 void instance_points(const instance_xform *const *p, pov_vec3 *const *points, pov_vec3 *const *points_lo, uint32_t n);
+/* Move the outline of an instanced shape to the world, in doubles. False: the shape is too small for where it is. */
+bool instance_outline(const instance_xform *p, pov_outline *io);
 bool instance_inside(const instance_xform *p, const shape_class *shape, const void *self, pov_vec3 point,
                      pov_vec3 point_lo);
 

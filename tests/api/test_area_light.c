@@ -60,6 +60,24 @@ static void shapes_that_are_turned_or_open(void **state)
                  "torus { .5, .2 translate <-1,.6,0>" MATT "disc { <1.4,2.4,-.8>, <1,2,0>, .5" MATT);
 }
 
+/* What passes a turned solid, and what it hides, is told from its own space. */
+static void turned_solids_that_hide_much(void **state)
+{
+    (void)state;
+    assert_alike(FLOOR "box { -1, 1 scale <1.6,.2,.8> rotate <20,40,10> translate <0,1.4,0>" MATT "cylinder { -x, x, .4 scale <1,1,.5> rotate <0,30,20> translate <1,.7,-1>" MATT);
+    assert_alike(SLAB "cone { -y, .8, y, .1 scale <1,1,.4> rotate <60,10,0> translate <-.8,1.2,.4>" MATT "sphere { 0, 1 scale <1,.3,.6> rotate <20,0,50> translate <1,2,-1>" MATT);
+}
+
+/* Light goes through holes, however many of them there are. */
+static void plates_with_holes(void **state)
+{
+    (void)state;
+    assert_alike(FLOOR "difference { box { <-2,1,-2>, <2,1.2,2> } box { <-.7,0,-.7>, <.7,3,.7> rotate 30*y } cylinder { <1.4,0,-1>, <1.4,2,-1>, .5 }" MATT);
+    assert_alike(FLOOR "difference { box { -2, 2 scale <1,.05,1> rotate <10,45,0> translate y } sphere { <.3,1,0>, 1 } rotate 20*z" MATT);
+    assert_alike(FLOOR "difference { box { <.9,2.5,-2.1>, <3.1,2.6,0> } #for (I, 0, 6) cylinder { 0, 3*y, .17 translate <1.6+.4*mod(I,3),0,-1.5+.4*int(I/3)> } #end" MATT);
+    assert_alike(FLOOR "difference { cylinder { .8*y, 2*y, 1.5 } cylinder { 0, 3*y, 1.3 }" MATT);
+}
+
 static void solids_made_of_others_and_meshes(void **state)
 {
     (void)state;
@@ -217,6 +235,8 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(spheres_and_boxes_on_a_floor),
         cmocka_unit_test(shapes_that_are_turned_or_open),
+        cmocka_unit_test(turned_solids_that_hide_much),
+        cmocka_unit_test(plates_with_holes),
         cmocka_unit_test(solids_made_of_others_and_meshes),
         cmocka_unit_test(rooms_made_of_planes),
         cmocka_unit_test(glass_and_what_casts_no_shadow),
