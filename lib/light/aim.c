@@ -53,6 +53,22 @@ void light_aim(const light_origin *from, const light_points *at, vec_lanes *dir)
         aim_plain(from, at->point, at->point_lo, lanes_whole(at->n), dir);
 }
 
+SIMD_CLONES static void aim_axis(const double *restrict from, const double *restrict from_lo, const double *restrict point,
+                                 const double *restrict point_lo, uint32_t n, double *restrict dir)
+{
+    for (uint32_t i = 0; i < n; i++)
+        dir[i] = towards(from[i], from_lo[i], point[i], point_lo[i], true);
+}
+
+void light_aim_each(const vec_lanes *from, const vec_lanes *from_lo, const light_points *at, vec_lanes *dir)
+{
+    const uint32_t n = lanes_whole(at->n);
+
+    aim_axis(from->x, from_lo->x, at->point->x, at->point_lo->x, n, dir->x);
+    aim_axis(from->y, from_lo->y, at->point->y, at->point_lo->y, n, dir->y);
+    aim_axis(from->z, from_lo->z, at->point->z, at->point_lo->z, n, dir->z);
+}
+
 void light_aim_parallel(const light *l, const light_origin *from, const light_points *at, vec_lanes *dir, double *distance)
 {
     const double hardly = 0x1p-100;

@@ -13,6 +13,8 @@ static inline double light_length(pov_vec3 v)
 
 /* Vectors from points to an origin, by lane, rounded once. */
 void light_aim(const light_origin *from, const light_points *at, vec_lanes *dir);
+/* The same to an origin each. */
+void light_aim_each(const vec_lanes *from, const vec_lanes *from_lo, const light_points *at, vec_lanes *dir);
 /* Directions against the axis, as long as the point's distance from the plane across it through the origin; hardly any
  * length behind that plane. The distances, negative behind it, are given, too. */
 void light_aim_parallel(const light *l, const light_origin *from, const light_points *at, vec_lanes *dir, double *distance);

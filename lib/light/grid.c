@@ -160,18 +160,19 @@ SIMD_INLINE double moved(double at, double cell, uint64_t bits)
     return at + cell * ((double)(int32_t)(bits & 0xffffff) * 0x1p-24 + (0x1p-25 - 0.5));
 }
 
-/* Places along both axes of points that jitter, for light on `n` points of surfaces. */
-SIMD_CLONES static void jitter(const light_grid *g, uint32_t k, uint32_t draw, const vec_lanes *restrict at, uint32_t n, double *restrict u,
-                               double *restrict v)
+/* Places along both axes, and what they jitter by. */
+typedef struct SIMD_ALIGNED places { double u[LANES_MAX], v[LANES_MAX]; uint64_t seed[LANES_MAX]; } places;
+
+/* Places of points that jitter, for light on `n` points of surfaces. */
+SIMD_CLONES static void jitter(const light_grid *g, const vec_lanes *restrict at, uint32_t n, places *restrict io)
 {
-    const uint64_t seed = (uint64_t)draw << 32 | (k + 1);
-    const double u_at = g->points[k].u, v_at = g->points[k].v, u_cell = g->cell[0], v_cell = g->cell[1];
+    const double u_cell = g->cell[0], v_cell = g->cell[1];
 
     for (uint32_t i = 0; i < n; i++) {
-        const uint64_t bits = mix(at->x[i], at->y[i], at->z[i], seed);
+        const uint64_t bits = mix(at->x[i], at->y[i], at->z[i], io->seed[i]);
 
-        u[i] = moved(u_at, u_cell, bits);
-        v[i] = moved(v_at, v_cell, bits >> 32);
+        io->u[i] = moved(io->u[i], u_cell, bits);
+        io->v[i] = moved(io->v[i], v_cell, bits >> 32);
     }
 }
 
@@ -269,36 +270,44 @@ static void turn_round(double *u, double *v, uint32_t n)
     }
 }
 
-/* From the middle to the k-th point, for light on `n` points of surfaces; `to` are their directions to the light's position. Up to a
+/* The points, from the first lane on. What fills up a vector is the last one. */
+static void find_places(const light_grid *g, const uint32_t *k, uint32_t draw, uint32_t n, places *out)
+{
+    for (uint32_t i = 0; i < lanes_whole(n); i++) {
+        const uint32_t point = k[i < n ? i : n - 1];
+
+        out->u[i] = g->points[point].u;
+        out->v[i] = g->points[point].v;
+        out->seed[i] = (uint64_t)draw << 32 | (point + 1);
+    }
+}
+
+/* From the middle to these points, for light on `n` points of surfaces; `to` are their directions to the light's position. Up to a
  * whole vector more are filled in. */
-static void find_moves(const light *l, const light_grid *g, uint32_t k, uint32_t draw, const vec_lanes *at, const vec_lanes *to, uint32_t n,
+static void find_moves(const light *l, const light_grid *g, const uint32_t *k, uint32_t draw, const vec_lanes *at, const vec_lanes *to, uint32_t n,
                        vec_lanes *move)
 {
-    SIMD_ALIGNED double u[LANES_MAX], v[LANES_MAX];
     const uint32_t whole = lanes_whole(n);
+    places p;
 
+    find_places(g, k, draw, n, &p);
     if (g->cell[0] > 0.0 || g->cell[1] > 0.0)
-        jitter(g, k, draw, at, whole, u, v);
-    else
-        for (uint32_t i = 0; i < whole; i++) {
-            u[i] = g->points[k].u;
-            v[i] = g->points[k].v;
-        }
+        jitter(g, at, whole, &p);
     if (g->rounded)
-        round_all(u, v, whole);
+        round_all(p.u, p.v, whole);
     if (!(l->flags & LIGHT_ORIENT)) {
-        move_along(l->area.axes, u, v, whole, move);
+        move_along(l->area.axes, p.u, p.v, whole, move);
         return;
     }
     if (draw == DRAW_REFLECTED)
-        turn_round(u, v, whole);
-    if (move_across(sqrt(pov_dot(l->area.axes[0], l->area.axes[0])), to, u, v, n, move))
+        turn_round(p.u, p.v, whole);
+    if (move_across(sqrt(pov_dot(l->area.axes[0], l->area.axes[0])), to, p.u, p.v, n, move))
         return;
     for (uint32_t i = 0; i < n; i++) {
         pov_vec3 axes[2];
 
         turn(l, pov_unit(lanes_at(to, i)), axes);
-        lanes_put(move, i, pov_add(pov_scale(axes[0], u[i]), pov_scale(axes[1], v[i])));
+        lanes_put(move, i, pov_add(pov_scale(axes[0], p.u[i]), pov_scale(axes[1], p.v[i])));
     }
 }
 
@@ -314,70 +323,51 @@ SIMD_CLONES static void move_origins(double position, double position_lo, const 
     }
 }
 
-static void find_ends(const light *l, const vec_lanes *move, uint32_t n, light_origin *ends)
+/* Points of the area, in double-double. */
+typedef struct ends { vec_lanes from, from_lo; } ends;
+
+static void find_ends(const light *l, const vec_lanes *move, uint32_t n, ends *out)
 {
-    const uint32_t whole = lanes_whole(n);
     const pov_vec3 p = l->position, p_lo = l->position_lo;
-    vec_lanes from, from_lo;
 
-    move_origins(p.x, p_lo.x, move->x, whole, from.x, from_lo.x);
-    move_origins(p.y, p_lo.y, move->y, whole, from.y, from_lo.y);
-    move_origins(p.z, p_lo.z, move->z, whole, from.z, from_lo.z);
-    for (uint32_t i = 0; i < n; i++) {
-        ends[i].from = lanes_at(&from, i);
-        ends[i].from_lo = lanes_at(&from_lo, i);
-    }
+    move_origins(p.x, p_lo.x, move->x, lanes_whole(n), out->from.x, out->from_lo.x);
+    move_origins(p.y, p_lo.y, move->y, lanes_whole(n), out->from.y, out->from_lo.y);
+    move_origins(p.z, p_lo.z, move->z, lanes_whole(n), out->from.z, out->from_lo.z);
 }
 
-/* Lanes put close together, one or more: what fills up a vector is the first. */
-static void pick(const vec_lanes *from, const uint8_t *lanes, uint32_t count, vec_lanes *out)
-{
-    uint32_t n = 0;
-
-    do
-        lanes_put(out, n, lanes_at(from, lanes[n < count ? n : 0]));
-    while (++n < lanes_whole(count));
-}
-
-/* The same for the first lanes. */
-static void aim_first(const light *l, const light_grid *g, uint32_t k, uint32_t draw, const light_points *at, const vec_lanes *to,
-                      uint32_t count, vec_lanes *dir, vec_lanes *move)
+/* Directions to points that move. */
+static void aim_moved(const light *l, const light_points *at, const vec_lanes *to, const vec_lanes *move, vec_lanes *dir)
 {
     const light_origin middle = light_own_origin(l);
 
-    find_moves(l, g, k, draw, at->point, to, count, move);
     if (has_beams(l)) {
         light_aim(&middle, at, dir);
-        for (uint32_t i = 0; i < count; i++)
+        for (uint32_t i = 0; i < at->n; i++)
             lanes_put(dir, i, against_beam(l, lanes_at(dir, i), lanes_at(move, i)));
         return;
     }
-    for (uint32_t i = 0; i < lanes_whole(count); i++) {
+    for (uint32_t i = 0; i < lanes_whole(at->n); i++) {
         dir->x[i] = to->x[i] + move->x[i];
         dir->y[i] = to->y[i] + move->y[i];
         dir->z[i] = to->z[i] + move->z[i];
     }
 }
 
-void grid_aim(const light *l, const light_grid *g, uint32_t k, uint32_t draw, const light_points *at, const vec_lanes *to,
-              const uint8_t *lanes, uint32_t count, vec_lanes *dir, light_origin *ends)
+void grid_aim(const light *l, const light_grid *g, const uint32_t *k, uint32_t draw, const light_points *at, const vec_lanes *to, vec_lanes *dir,
+              light_origin *out)
 {
-    vec_lanes point, point_lo, some, found, move;
-    const light_points picked = { &point, &point_lo, lanes_whole(count) };
+    vec_lanes move;
+    ends e;
 
-    if (!lanes) {
-        aim_first(l, g, k, draw, at, to, count, dir, &move);
-    } else {
-        pick(at->point, lanes, count, &point);
-        pick(to, lanes, count, &some);
-        if (has_beams(l))
-            pick(at->point_lo, lanes, count, &point_lo);
-        aim_first(l, g, k, draw, &picked, &some, count, &found, &move);
-        for (uint32_t n = 0; n < count; n++)
-            lanes_put(dir, lanes[n], lanes_at(&found, n));
-    }
-    if (ends)
-        find_ends(l, &move, count, ends);
+    find_moves(l, g, k, draw, at->point, to, at->n, &move);
+    if (out || !g->moves)
+        find_ends(l, &move, at->n, &e);
+    if (g->moves)
+        aim_moved(l, at, to, &move, dir);
+    else
+        light_aim_each(&e.from, &e.from_lo, at, dir);
+    for (uint32_t i = 0; out && i < at->n; i++)
+        out[i] = (light_origin){ lanes_at(&e.from, i), lanes_at(&e.from_lo, i) };
 }
 
 light_origin grid_origin(const light *l, const light_grid *g, uint32_t k)

@@ -18,7 +18,7 @@ static inline bool grid_parts_overlap(const grid_part *a, const grid_part *b)
 
 /* Where points move by the lit point, each lies anywhere in its cell, and is rounded off to a disc then. */
 typedef struct light_grid {
-    bool moves;                  /* places depend on the lit point: use grid_aim(), not grid_origin() */
+    bool moves;                  /* places depend on the lit point: grid_origin() is not for these */
     bool rounded;
     double cell[2];              /* widths of the cells along the axes; 0: points stay where they are */
     float sum;                   /* of the weights, added one after the other */
@@ -37,12 +37,11 @@ void grid_axes(const light *l, pov_vec3 to, pov_vec3 axes[2]);
 light_grid *grid_create(const env *e, const light *l, bool soft);
 /* Draws of points that move: those for shadows, or those whose light is reflected, or scattered. */
 enum { DRAW_SHADOWS, DRAW_REFLECTED, DRAW_SCATTERED };
-/* Directions to the k-th point by lane for `count` of the lanes, the first ones if `lanes` is NULL, where `to` are those to
- * the light's position; and if `ends` is not NULL the places that they are rounded to, in the order of `lanes`. Points that
- * jitter lie where the bits of the lit point say, otherwise for each draw; those that turn lie in a plane across the
- * direction. */
-void grid_aim(const light *l, const light_grid *g, uint32_t k, uint32_t draw, const light_points *at, const vec_lanes *to,
-              const uint8_t *lanes, uint32_t count, vec_lanes *dir, light_origin *ends);
+/* Directions to points of the grid by lane, one for each, where `to` are those to the light's position; and if `ends` is not NULL the
+ * places that they are rounded to. Points that jitter lie where the bits of the lit point say, otherwise for each draw; those that turn
+ * lie in a plane across the direction. */
+void grid_aim(const light *l, const light_grid *g, const uint32_t *k, uint32_t draw, const light_points *at, const vec_lanes *to, vec_lanes *dir,
+              light_origin *ends);
 /* A point that is drawn by the weights, neighbours by neighbouring numbers; 0 <= u < 1. */
 uint32_t grid_draw(const light_grid *g, double u);
 /* Where the k-th point of a grid that does not move is. */

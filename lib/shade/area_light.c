@@ -6,19 +6,6 @@
 
 #include <string.h>
 
-/* Directions to the k-th point of an area light from some lanes, and the point: one for each where it moves. */
-static void aim_at_point(const scene_light *from, uint32_t k, const light_points *at, const vec_lanes *to,
-                         const uint8_t *lanes, uint32_t count, light_lanes *in, light_origin *ends)
-{
-    in->tmax = 1.0;
-    if (from->grid->moves) {
-        grid_aim(from->light, from->grid, k, DRAW_SHADOWS, at, to, lanes, count, &in->dir, ends);
-    } else {
-        ends[0] = grid_origin(from->light, from->grid, k);
-        light_aim(ends, at, &in->dir);
-    }
-}
-
 /* A view costs as much as the rays to so many points. */
 enum { VIEW_FROM = 20 };
 
@@ -52,112 +39,182 @@ static uint32_t find_views(const lighting *l, const scene_light *from, const vec
     return n;
 }
 
+/* ---- rays to points ---- */
+
 /* By ray, of points that follow one another, those that nothing hides, and those that it takes a ray to tell. */
 typedef struct area_bits { uint64_t lit[BATCH_MAX], open[BATCH_MAX]; } area_bits;
 
-static void find_bits(const light_grid *g, uint32_t k, const area_view *views, const uint8_t *open, uint32_t count, area_bits *out)
+/* The light of all points, by ray: those of l->seen. */
+typedef struct area_tracing {
+    lighting *l;
+    const scene_light *from;
+    const vec_lanes *to;
+    colour *through;
+    uint64_t lit;                /* rays that get any */
+    uint32_t first;              /* the point of the first bit */
+    area_bits bits;
+    uint32_t count;              /* rays to trace, at once; each of one of the others, to a point */
+    uint8_t which[BATCH_MAX];
+    uint32_t point[BATCH_MAX];
+} area_tracing;
+
+/* Add the points before this bit that nothing hides: points are added in their order. */
+static void add_lit(area_tracing *t, uint32_t i, uint32_t bit)
+{
+    const uint64_t before = bit < AREA_PARTS ? ((uint64_t)1 << bit) - 1 : ~(uint64_t)0;
+
+    for (uint64_t rest = t->bits.lit[i] & before; rest; rest &= rest - 1) {
+        const float weight = t->from->grid->points[t->first + first_of64(rest)].weight;
+
+        t->through[i] = colour_add(t->through[i], colour_of(weight, weight, weight));
+        t->lit |= (uint64_t)1 << i;
+    }
+    t->bits.lit[i] &= ~before;
+}
+
+/* Their starts close together: what fills up a vector is the last one. */
+typedef struct starts { vec_lanes point, point_lo, to; } starts;
+
+static void find_starts(const area_tracing *t, starts *out)
+{
+    const geometry *g = &t->l->on->geometry;
+
+    for (uint32_t n = 0; n < lanes_whole(t->count); n++) {
+        const uint8_t lane = t->l->seen[t->which[n < t->count ? n : t->count - 1]];
+
+        lanes_put(&out->point, n, lanes_at(&g->to.point, lane));
+        lanes_put(&out->point_lo, n, lanes_at(&g->to.point_lo, lane));
+        lanes_put(&out->to, n, lanes_at(t->to, lane));
+    }
+}
+
+/* Put the rays in memory of their own, instead of those of the surfaces. */
+static void put_rays(area_tracing *t, pov_ray *own, light_origin *ends)
+{
+    lighting *l = t->l;
+    vec_lanes dir;
+    starts s;
+    const light_points at = { &s.point, &s.point_lo, t->count };
+
+    find_starts(t, &s);
+    grid_aim(t->from->light, t->from->grid, t->point, DRAW_SHADOWS, &at, &s.to, &dir, ends);
+    for (uint32_t n = 0; n < t->count; n++) {
+        l->of[n] = l->seen[t->which[n]];
+        own[n] = l->own[l->of[n]];
+        own[n].dir = lanes_at(&dir, n);
+        l->rays[n] = &own[n];
+    }
+    l->count = t->count;
+    l->own = own;
+    shadow_name_rays(l, &dir);
+}
+
+static void trace_rays(area_tracing *t)
+{
+    lighting *l = t->l;
+    pov_ray *const before = l->own, own[BATCH_MAX];
+    light_origin ends[BATCH_MAX];
+    const segment_end end = { 1.0, t->from->class->parallel ? NULL : ends, true };
+    colour some[BATCH_MAX];
+    uint64_t lit;
+
+    put_rays(t, own, ends);
+    lit = shadow_trace(l, t->from->light, end, some);
+    l->own = before;
+    for (uint32_t n = 0; n < t->count; n++) {
+        const uint32_t i = t->which[n];
+
+        add_lit(t, i, t->point[n] - t->first);
+        if (!(lit >> n & 1))
+            continue;
+        t->through[i] = colour_add(t->through[i], colour_scale(some[n], t->from->grid->points[t->point[n]].weight));
+        t->lit |= (uint64_t)1 << i;
+    }
+    t->count = 0;
+}
+
+/* Of these rays, those to the k-th point that it takes to tell. */
+static void put_point(area_tracing *t, uint32_t k, const uint8_t *open, uint32_t count)
+{
+    for (uint32_t n = 0; n < count; n++) {
+        if (!(t->bits.open[open[n]] >> (k - t->first) & 1))
+            continue;
+        if (t->count == BATCH_MAX)
+            trace_rays(t);
+        t->which[t->count] = open[n];
+        t->point[t->count++] = k;
+    }
+}
+
+/* The points from t->first on. */
+static void trace_points(area_tracing *t, const uint8_t *open, uint32_t count)
+{
+    const uint32_t left = t->from->grid->count - t->first;
+
+    for (uint32_t k = t->first; k < t->first + (left < AREA_PARTS ? left : AREA_PARTS); k++)
+        put_point(t, k, open, count);
+    if (t->count > 0)
+        trace_rays(t);
+    for (uint32_t n = 0; n < count; n++)
+        add_lit(t, open[n], AREA_PARTS);
+}
+
+static void find_bits(area_tracing *t, const area_view *views, const uint8_t *open, uint32_t count)
 {
     area_parts parts;
 
-    area_parts_find(g, k, &parts);
+    area_parts_find(t->from->grid, t->first, &parts);
     for (uint32_t n = 0; n < count; n++)
-        out->open[open[n]] = area_view_open(&views[open[n]], &parts, &out->lit[open[n]]);
-}
-
-/* Of the open rays those that it takes to tell whether something hides the k-th point. The others get its light, or none. */
-static uint64_t choose_hidden(lighting *l, const light_grid *g, uint32_t k, const area_bits *bits, const uint8_t *open,
-                              uint32_t count, uint8_t *which, colour *through)
-{
-    const uint32_t bit = k % AREA_PARTS;
-    const float weight = g->points[k].weight;
-    uint64_t lit = 0;
-
-    l->count = 0;
-    for (uint32_t n = 0; n < count; n++) {
-        const uint8_t i = open[n];
-
-        if (bits->lit[i] >> bit & 1) {
-            through[i] = colour_add(through[i], colour_of(weight, weight, weight));
-            lit |= (uint64_t)1 << i;
-        } else if (bits->open[i] >> bit & 1) {
-            which[l->count] = i;
-            l->of[l->count] = l->seen[i];
-            l->rays[l->count] = &l->own[l->seen[i]];
-            l->count++;
-        }
-    }
-    return lit;
-}
-
-/* Add the light of the k-th point to the rays at `which`. Returns those that get any. */
-static uint64_t trace_point(lighting *l, const scene_light *from, uint32_t k, const vec_lanes *to, const uint8_t *which,
-                            colour *through)
-{
-    const bool moves = from->grid->moves;
-    const light_points at = lighting_points(l);
-    light_origin ends[BATCH_MAX];
-    colour some[BATCH_MAX];
-    light_lanes in;
-    uint64_t lit = 0;
-
-    aim_at_point(from, k, &at, to, l->of, l->count, &in, ends);
-    shadow_name_sides(l, l->of, l->count, &in.dir);
-    for (uint32_t i = 0; i < l->count; i++)
-        l->own[l->of[i]].dir = lanes_at(&in.dir, l->of[i]);
-    for (uint64_t rest = shadow_trace(l, from->light, shadow_end(from, &in, ends, moves), some); rest; rest &= rest - 1) {
-        const uint32_t i = first_of64(rest);
-
-        through[which[i]] = colour_add(through[which[i]], colour_scale(some[i], from->grid->points[k].weight));
-        lit |= (uint64_t)1 << which[i];
-    }
-    return lit;
+        t->bits.open[open[n]] = area_view_open(&views[open[n]], &parts, &t->bits.lit[open[n]]);
 }
 
 /* All rays to all points. */
-static uint64_t trace_all(lighting *l, const scene_light *from, const vec_lanes *to, colour *through)
+static void trace_all(area_tracing *t)
 {
-    uint8_t which[BATCH_MAX];
-    uint64_t lit = 0;
+    const uint32_t count = t->l->count;
+    uint8_t all[BATCH_MAX];
 
-    for (uint32_t i = 0; i < l->count; i++) {
-        which[i] = (uint8_t)i;
-        through[i] = colour_of(0.0f, 0.0f, 0.0f);
+    for (uint32_t i = 0; i < count; i++) {
+        all[i] = (uint8_t)i;
+        t->through[i] = colour_of(0.0f, 0.0f, 0.0f);
+        t->bits.open[i] = ~(uint64_t)0;
+        t->bits.lit[i] = 0;
     }
-    for (uint32_t k = 0; k < from->grid->count; k++)
-        lit |= trace_point(l, from, k, to, which, through);
-    return lit;
+    for (; t->first < t->from->grid->count; t->first += AREA_PARTS)
+        trace_points(t, all, count);
 }
 
 /* The rays to points that something may hide. */
-static uint64_t trace_hidden(lighting *l, const scene_light *from, const vec_lanes *to, colour *through)
+static void trace_hidden(area_tracing *t)
 {
-    const uint32_t count = l->count;
     area_view views[BATCH_MAX];
-    uint8_t open[BATCH_MAX], which[BATCH_MAX];
-    area_bits bits;
-    uint64_t lit = 0;
-    const uint32_t open_count = find_views(l, from, to, views, open, &lit, through);
+    uint8_t open[BATCH_MAX];
+    const uint32_t count = find_views(t->l, t->from, t->to, views, open, &t->lit, t->through);
 
-    memcpy(l->seen, l->of, count);
-    for (uint32_t k = 0; open_count > 0 && k < from->grid->count; k++) {
-        if (k % AREA_PARTS == 0)
-            find_bits(from->grid, k, views, open, open_count, &bits);
-        lit |= choose_hidden(l, from->grid, k, &bits, open, open_count, which, through);
-        if (l->count > 0)
-            lit |= trace_point(l, from, k, to, which, through);
+    for (; count > 0 && t->first < t->from->grid->count; t->first += AREA_PARTS) {
+        find_bits(t, views, open, count);
+        trace_points(t, open, count);
     }
-    memcpy(l->of, l->seen, count);
-    l->count = count;
-    return lit;
 }
 
 /* The mean transmittance to all points of an area light; `to` are the directions to its middle. */
 static uint64_t trace_area(lighting *l, const scene_light *from, const vec_lanes *to, colour *through)
 {
-    const uint64_t lit = needs_rays(from) ? trace_all(l, from, to, through) : trace_hidden(l, from, to, through);
+    const uint32_t count = l->count;
+    area_tracing t;
 
+    t.l = l;
+    t.from = from;
+    t.to = to;
+    t.through = through;
+    t.lit = 0;
+    t.first = t.count = 0;
+    memcpy(l->seen, l->of, count);
+    (needs_rays(from) ? trace_all : trace_hidden)(&t);
+    memcpy(l->of, l->seen, count);
+    l->count = count;
     shadow_name_origins(l, NULL);
-    return lit;
+    return t.lit;
 }
 
 /* The direction from a lane's surface to a point of the area that is drawn for its path, and the point. */
@@ -171,15 +228,15 @@ static pov_vec3 aim_at_some(const lighting *l, const scene_light *from, uint32_t
     const geometry *g = &l->on->geometry;
     vec_lanes point, low, middle;
     const light_points at = { &point, &low, 1 };
-    light_lanes in;
+    vec_lanes dir;
 
     for (uint32_t i = 0; i < lanes_whole(1); i++) {
         lanes_put(&point, i, lanes_at(&g->to.point, lane));
         lanes_put(&low, i, lanes_at(&g->to.point_lo, lane));
         lanes_put(&middle, i, lanes_at(to, lane));
     }
-    aim_at_point(from, k, &at, &middle, NULL, 1, &in, end);
-    return lanes_at(&in.dir, 0);
+    grid_aim(from->light, from->grid, &k, DRAW_SHADOWS, &at, &middle, &dir, end);
+    return lanes_at(&dir, 0);
 }
 
 /* The same for one point of the area each, drawn by the weights: where radiosity gathers light more would be lost time. */
@@ -226,8 +283,12 @@ static void dim_moved(const scene_light *from, uint32_t n, light_lanes *in)
 static void find_incident(const scene_light *from, uint32_t k, const light_points *at, const light_lanes *middle,
                           light_lanes *in)
 {
+    uint32_t points[BATCH_MAX];
+
     if (from->grid->moves) {
-        grid_aim(from->light, from->grid, k, DRAW_REFLECTED, at, &middle->dir, NULL, at->n, &in->dir, NULL);
+        for (uint32_t i = 0; i < at->n; i++)
+            points[i] = k;
+        grid_aim(from->light, from->grid, points, DRAW_REFLECTED, at, &middle->dir, &in->dir, NULL);
         if (!in->uniform && !from->class->parallel)
             dim_moved(from, at->n, in);
     } else {

@@ -188,19 +188,13 @@ static pov_vec3 aim_at_area(const beams *b, uint32_t i, uint32_t part, const med
     const uint32_t k = grid_draw(g, ((turn - floor(turn)) + (double)part) / AREA_POINTS);
     vec_lanes point, low, to, dir;
     const light_points at = { &point, &low, 1 };
-    light_origin origin;
 
     for (uint32_t lane = 0; lane < lanes_whole(1); lane++) {
         lanes_put(&point, lane, lanes_at(&b->samples.point, i));
         lanes_put(&low, lane, lanes_at(&b->samples.point_lo, i));
         lanes_put(&to, lane, lanes_at(&b->samples.in.dir, i));
     }
-    if (g->moves) {
-        grid_aim(l, g, k, DRAW_SCATTERED, &at, &to, NULL, 1, &dir, NULL);
-    } else {
-        origin = grid_origin(l, g, k);
-        light_aim(&origin, &at, &dir);
-    }
+    grid_aim(l, g, &k, DRAW_SCATTERED, &at, &to, &dir, NULL);
     return lanes_at(&dir, 0);
 }
 

@@ -1,60 +1,63 @@
 #include "shade/shadow.h"
 
+#include "base/lane_mask.h"
 #include "base/simd.h"
 #include "shade/haze.h"
 
-static bool any_coincident(const lighting *l)
-{
-    for (uint32_t i = 0; i < l->count; i++)
-        if (l->on->at[l->of[i]].coincident)
-            return true;
-    return false;
-}
-
-/* Rays from coincident surfaces are traced one by one. */
-static uint64_t trace_each(const lighting *l, segment_end end, colour *through)
+/* Rays from coincident surfaces are traced one by one. Bits by ray: `which` are those, and of them the result those that are lit. */
+static uint64_t trace_coincident(const lighting *l, segment_end end, uint64_t *which, colour *through)
 {
     const shade_context *c = l->context;
     uint64_t lit = 0;
 
-    for (uint32_t i = 0; i < l->count; i++) {
-        const uint32_t at = l->on->at[l->of[i]].coincident;
-        const path *from = l->on->at[l->of[i]].from;
-        const segment_end own = segment_end_of(end, i);
-        const bool is_lit = at ? transmittance_from(c, &c->coincident_sets.items[at - 1], l->rays[i], from, own, &through[i])
-                               : transmittance_find(c, &l->rays[i], &from, 1, own, &through[i]) != 0;
+    *which = 0;
+    for (uint32_t i = 0; c->coincident_sets.count > 0 && i < l->count; i++) {
+        const surface *s = &l->on->at[l->of[i]];
 
-        lit |= (uint64_t)is_lit << i;
+        if (!s->coincident)
+            continue;
+        *which |= (uint64_t)1 << i;
+        if (transmittance_from(c, &c->coincident_sets.items[s->coincident - 1], l->rays[i], s->from, segment_end_of(end, i), &through[i]))
+            lit |= (uint64_t)1 << i;
     }
     return lit;
 }
 
-/* Rays from several surfaces at one hit are traced once. */
-static uint64_t trace_hits(const lighting *l, segment_end end, colour *through)
+static bool is_equal(pov_vec3 a, pov_vec3 b) { return a.x == b.x && a.y == b.y && a.z == b.z; }
+
+/* Some of the rays, as bits: those from several surfaces at one hit are traced once. */
+static uint64_t trace_hits(const lighting *l, segment_end end, uint64_t which, colour *through)
 {
     const pov_ray *rays[BATCH_MAX];
     const path *from[BATCH_MAX];
     light_origin ends[BATCH_MAX];
     colour some[BATCH_MAX];
-    uint8_t which[BATCH_MAX];
+    uint8_t of[BATCH_MAX];
+    const hit *last = NULL;
     uint32_t n = 0;
     uint64_t found, lit = 0;
 
-    for (uint32_t i = 0; i < l->count; i++) {
-        if (i == 0 || l->on->at[l->of[i]].at != l->on->at[l->of[i - 1]].at) {
-            from[n] = l->on->at[l->of[i]].from;
+    for (uint64_t rest = which; rest; rest &= rest - 1) {
+        const uint32_t i = first_of64(rest);
+        const surface *s = &l->on->at[l->of[i]];
+
+        if (s->at != last || !is_equal(l->rays[i]->dir, rays[n - 1]->dir)) {
+            from[n] = s->from;
             if (end.at && end.by_ray)
                 ends[n] = end.at[i];
             rays[n++] = l->rays[i];
+            last = s->at;
         }
-        which[i] = (uint8_t)(n - 1);
+        of[i] = (uint8_t)(n - 1);
     }
-    l->context->counts.shadow -= l->count - n;
+    l->context->counts.shadow -= lane_mask_count(which) - n;
     end.at = end.at && end.by_ray ? ends : end.at;
     found = transmittance_find(l->context, rays, from, n, end, some);
-    for (uint32_t i = 0; i < l->count; i++) {
-        through[i] = some[which[i]];
-        lit |= (found >> which[i] & 1) << i;
+    for (; which; which &= which - 1) {
+        const uint32_t i = first_of64(which);
+
+        through[i] = some[of[i]];
+        lit |= (found >> of[i] & 1) << i;
     }
     return lit;
 }
@@ -64,12 +67,11 @@ static uint64_t trace(const lighting *l, segment_end end, colour *through)
 {
     shade_context *c = l->context;
     const path *from[BATCH_MAX];
+    uint64_t each, lit = trace_coincident(l, end, &each, through);
 
     c->counts.shadow += l->count;
-    if (c->coincident_sets.count > 0 && any_coincident(l))
-        return trace_each(l, end, through);
-    if (l->on->shared)
-        return trace_hits(l, end, through);
+    if (each || l->on->shared)
+        return lit | trace_hits(l, end, lane_mask_all(l->count) & ~each, through);
     if (!c->scene->plan->located)
         return transmittance_find(c, l->rays, NULL, l->count, end, through);
     for (uint32_t i = 0; i < l->count; i++)
@@ -147,7 +149,7 @@ static uint64_t shorten(lighting *l, const light *from, double tmax)
     uint64_t through = 0;
 
     for (uint32_t i = 0; i < l->count; i++)
-        through |= (uint64_t)transmittance_shorten(c, from, tmax, &l->own[l->of[i]]) << i;
+        through |= (uint64_t)transmittance_shorten(c, from, tmax, &l->own[l->rays[i] - l->own]) << i;
     return through;
 }
 
@@ -217,15 +219,19 @@ void shadow_find_sides(lighting *l, const vec_lanes *dir)
     find_sides(dir, &l->on->geometry.to.normal, lanes_whole(l->on->count), l->side);
 }
 
-static void put_sides(lighting *l, const uint8_t *lanes, uint32_t count)
+static uint32_t side_flags(const hit *h, int64_t side)
 {
     static const uint32_t names[2][3] = { { 0, POV_MARK_INWARD, POV_MARK_OUTWARD }, { 0, POV_MARK_OUTWARD, POV_MARK_INWARD } };
 
+    return h->crossing.mark.flags | names[h->outside][side];
+}
+
+static void put_sides(lighting *l, const uint8_t *lanes, uint32_t count)
+{
     for (uint32_t k = 0; k < count; k++) {
         const uint32_t i = lanes[k];
-        const hit *h = l->on->at[i].at;
 
-        l->own[i].origin_mark.flags = h->crossing.mark.flags | names[h->outside][l->side[i]];
+        l->own[i].origin_mark.flags = side_flags(l->on->at[i].at, l->side[i]);
     }
 }
 
@@ -235,4 +241,18 @@ void shadow_name_sides(lighting *l, const uint8_t *lanes, uint32_t count, const 
 {
     shadow_find_sides(l, dir);
     put_sides(l, lanes, count);
+}
+
+void shadow_name_rays(lighting *l, const vec_lanes *dir)
+{
+    SIMD_ALIGNED int64_t side[LANES_MAX];
+    uint32_t n = 0;
+    vec_lanes normal;
+
+    do
+        lanes_put(&normal, n, lanes_at(&l->on->geometry.to.normal, l->of[n < l->count ? n : 0]));
+    while (++n < lanes_whole(l->count));
+    find_sides(dir, &normal, lanes_whole(l->count), side);
+    for (uint32_t k = 0; k < l->count; k++)
+        l->own[k].origin_mark.flags = side_flags(l->on->at[l->of[k]].at, side[k]);
 }

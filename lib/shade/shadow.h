@@ -23,6 +23,8 @@ void shadow_find_sides(lighting *l, const vec_lanes *dir);
 void shadow_put_sides(lighting *l);
 /* The same of rays from these lanes, which are in `own`. */
 void shadow_name_sides(lighting *l, const uint8_t *lanes, uint32_t count, const vec_lanes *dir);
+/* The same of rays that stand in the order of l->of, several from one lane perhaps, with their directions. */
+void shadow_name_rays(lighting *l, const vec_lanes *dir);
 
 /* Where rays to a light end that comes from this point, or from these by ray. */
 static inline segment_end shadow_end(const scene_light *from, const light_lanes *in, const light_origin *origin, bool by_ray)

@@ -64,14 +64,16 @@ static void weights_of_points_are_those_of_a_grid_that_is_halved(void **state)
 static void offsets_at(const light *l, const light_grid *g, uint32_t k, uint32_t draw, vec_lanes *out)
 {
     vec_lanes point, none, to;
+    uint32_t points[LANES_MAX];
     const light_points at = { &point, &none, LANES_MAX };
 
     memset(&none, 0, sizeof none);
     for (uint32_t i = 0; i < LANES_MAX; i++) {
         lanes_put(&point, i, pov_vec3_of(0.1 * i, 1.0, 0.3));
         lanes_put(&to, i, pov_vec3_of(0.0, 5.0, 0.0));
+        points[i] = k;
     }
-    grid_aim(l, g, k, draw, &at, &to, NULL, at.n, out, NULL);
+    grid_aim(l, g, points, draw, &at, &to, out, NULL);
     for (uint32_t i = 0; i < LANES_MAX; i++)
         out->y[i] -= 5.0;
 }
