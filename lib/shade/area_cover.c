@@ -3,7 +3,10 @@
  * is rounded: what is entered here is entered by the ray. */
 #include "shade/area_cover.h"
 
+#include "base/lane_mask.h"
+
 #include <math.h>
+#include <string.h>
 
 static const double skin = 0x1p-10, roundings = 0x1p-36, clear = 0x1p10, end = 1.0 - 0x1p-8, beyond = 1.0 + 0x1p-8;
 
@@ -81,184 +84,203 @@ bool area_cover_make(area_cover *c, const pov_outline *solid, pov_vec3 from, pov
     return thick && (!solid->round || add_quadric(c, solid, &v, &c->outside));
 }
 
-/* ---- many places ---- */
+/* ---- parts side by side ---- */
 
-static uint32_t whole(uint32_t n) { return (n + 7) & ~7u; }
+enum { TOGETHER = 8 };
+typedef double lane[TOGETHER];
 
-/* Where segments to places are within all slabs: the first and last of it. */
-typedef struct SIMD_ALIGNED stretches { double first[AREA_PARTS], last[AREA_PARTS]; } stretches;
+/* Some parts, and where segments to them are within all slabs: the first and last of it. */
+typedef struct SIMD_ALIGNED some_parts { lane lo[2], hi[2], first, last, flag; } some_parts;
 
-SIMD_CLONES static void cut_slab(const double *restrict rate, double lo, double hi, const double *restrict u, const double *restrict v, uint32_t n,
-                                 stretches *restrict s)
+static uint32_t whole(uint32_t n) { return (n + TOGETHER - 1) / TOGETHER * TOGETHER; }
+
+SIMD_INLINE void take(const area_parts *restrict p, uint32_t from, some_parts *restrict out)
 {
-    for (uint32_t i = 0; i < n; i++) {
-        const double per = 1.0 / (rate[0] + rate[1] * u[i] + rate[2] * v[i]), a = lo * per, b = hi * per;
+    for (int axis = 0; axis < 2; axis++) {
+        memcpy(out->lo[axis], p->lo[axis] + from, sizeof(lane));
+        memcpy(out->hi[axis], p->hi[axis] + from, sizeof(lane));
+    }
+}
+
+SIMD_INLINE void set_flags(double to, double *restrict flag)
+{
+    SIMD_LOOP for (uint32_t i = 0; i < TOGETHER; i++)
+        flag[i] = to;
+}
+
+SIMD_INLINE void put_flags(const double *restrict flag, uint32_t *restrict out)
+{
+    SIMD_LOOP for (uint32_t i = 0; i < TOGETHER; i++)
+        out[i] = flag[i] > 0.0 ? 1 : 0;
+}
+
+/* ---- what a solid hides ---- */
+
+SIMD_INLINE void cut_slab(const double *restrict rate, double lo, double hi, const double *restrict u, const double *restrict v, double *restrict first,
+                          double *restrict last)
+{
+    const double one = rate[0], by_u = rate[1], by_v = rate[2];
+
+    SIMD_LOOP for (uint32_t i = 0; i < TOGETHER; i++) {
+        const double per = 1.0 / (one + by_u * u[i] + by_v * v[i]), a = lo * per, b = hi * per;
         const double near = a < b ? a : b, far = a < b ? b : a;
 
-        s->first[i] = near > s->first[i] ? near : s->first[i];
-        s->last[i] = far < s->last[i] ? far : s->last[i];
+        first[i] = near > first[i] ? near : first[i];
+        last[i] = far < last[i] ? far : last[i];
     }
 }
 
 /* There the quadric is least where its slope is zero, or at an end. */
-SIMD_CLONES static void cut_quadric(const area_cover *restrict c, const stretches *restrict in, const double *restrict u, const double *restrict v,
-                                    uint32_t n, double *restrict hidden)
+SIMD_INLINE void cut_quadric(const area_cover *c, const double *restrict u, const double *restrict v, const double *restrict first,
+                             const double *restrict last, double *restrict hidden)
 {
-    const double *s = c->square;
+    const double constant = c->constant, one = c->along[0], by_u = c->along[1], by_v = c->along[2];
+    const double s = c->square[0], s_u = c->square[1], s_v = c->square[2], s_uu = c->square[3], s_vv = c->square[4], s_uv = c->square[5];
 
-    for (uint32_t i = 0; i < n; i++) {
-        const double along = c->along[0] + c->along[1] * u[i] + c->along[2] * v[i];
-        const double square = s[0] + s[1] * u[i] + s[2] * v[i] + s[3] * u[i] * u[i] + s[4] * v[i] * v[i] + s[5] * u[i] * v[i];
-        const double least = -along / square, after = least > in->first[i] ? least : in->first[i], t = after < in->last[i] ? after : in->last[i];
-        const double value = c->constant + t * (2.0 * along + t * square);
+    SIMD_LOOP for (uint32_t i = 0; i < TOGETHER; i++) {
+        const double along = one + by_u * u[i] + by_v * v[i];
+        const double square = s + s_u * u[i] + s_v * v[i] + s_uu * u[i] * u[i] + s_vv * v[i] * v[i] + s_uv * u[i] * v[i];
+        const double least = -along / square, after = least > first[i] ? least : first[i], t = after < last[i] ? after : last[i];
+        const double value = constant + t * (2.0 * along + t * square);
 
         hidden[i] = value < 0.0 ? hidden[i] : 0.0;
     }
 }
 
-SIMD_CLONES static void set_all(uint32_t n, stretches *restrict s)
+/* Leave those for which segments to these places enter the solid. */
+SIMD_INLINE void keep_hidden(const area_cover *c, const double *restrict u, const double *restrict v, some_parts *restrict io)
 {
-    for (uint32_t i = 0; i < n; i++) {
-        s->first[i] = 0.0;
-        s->last[i] = end;
+    SIMD_LOOP for (uint32_t i = 0; i < TOGETHER; i++) {
+        io->first[i] = 0.0;
+        io->last[i] = end;
     }
-}
-
-SIMD_CLONES static bool keep_some(const stretches *restrict s, uint32_t n, double *restrict hidden)
-{
-    double any = 0.0;
-
-    for (uint32_t i = 0; i < n; i++) {
-        hidden[i] = s->first[i] < s->last[i] ? hidden[i] : 0.0;
-        any += hidden[i];
-    }
-    return any > 0.0;
-}
-
-/* Leave those for which segments to these places enter the solid. False: there are none. */
-static bool keep_hidden(const area_cover *c, const double *u, const double *v, uint32_t n, double *hidden)
-{
-    stretches s;
-
-    set_all(n, &s);
     for (uint32_t i = 0; i < c->slabs; i++)
-        cut_slab(c->rate[i], c->lo[i], c->hi[i], u, v, n, &s);
+        cut_slab(c->rate[i], c->lo[i], c->hi[i], u, v, io->first, io->last);
     if (c->round)
-        cut_quadric(c, &s, u, v, n, hidden);
-    return keep_some(&s, n, hidden);
+        cut_quadric(c, u, v, io->first, io->last, io->flag);
+    SIMD_LOOP for (uint32_t i = 0; i < TOGETHER; i++)
+        io->flag[i] = io->first[i] < io->last[i] ? io->flag[i] : 0.0;
 }
 
-static uint64_t bits_of(const double *flag, uint32_t n)
+SIMD_CLONES SIMD_NOINLINE static uint64_t find_hidden(const area_cover *c, const area_parts *p, uint64_t which)
 {
-    uint64_t bits = 0;
+    SIMD_ALIGNED uint32_t hidden[AREA_PARTS] = { 0 };
 
-    for (uint32_t i = 0; i < n; i++)
-        bits |= (uint64_t)(flag[i] > 0.0) << i;
-    return bits;
+    for (uint32_t from = 0; from < p->count; from += TOGETHER) {
+        some_parts s;
+
+        if (!(which >> from & ((1u << TOGETHER) - 1)))
+            continue;
+        take(p, from, &s);
+        set_flags(1.0, s.flag);
+        keep_hidden(c, s.lo[0], s.lo[1], &s);
+        if (!p->points) {
+            keep_hidden(c, s.hi[0], s.lo[1], &s);
+            keep_hidden(c, s.lo[0], s.hi[1], &s);
+            keep_hidden(c, s.hi[0], s.hi[1], &s);
+        }
+        put_flags(s.flag, hidden + from);
+    }
+    return lane_mask_of(hidden, p->count) & which;
 }
 
-uint64_t area_cover_hides_of(const area_cover *c, const area_parts *p)
+uint64_t area_cover_hides_of(const area_cover *c, const area_parts *p, uint64_t which) { return c->outside ? find_hidden(c, p, which) : 0; }
+
+/* ---- what misses a solid ---- */
+
+/* Parts by their middles and half widths. */
+SIMD_INLINE void find_middles(some_parts *restrict io)
 {
-    const uint32_t n = whole(p->count);
-    SIMD_ALIGNED double hidden[AREA_PARTS];
-    bool any;
+    for (int axis = 0; axis < 2; axis++)
+        SIMD_LOOP for (uint32_t i = 0; i < TOGETHER; i++) {
+            const double lo = io->lo[axis][i], hi = io->hi[axis][i];
 
-    if (!c->outside)
-        return 0;
-    for (uint32_t i = 0; i < n; i++)
-        hidden[i] = 1.0;
-    any = keep_hidden(c, p->lo[0], p->lo[1], n, hidden);
-    if (!p->points)
-        any = any && keep_hidden(c, p->hi[0], p->lo[1], n, hidden) && keep_hidden(c, p->lo[0], p->hi[1], n, hidden) &&
-              keep_hidden(c, p->hi[0], p->hi[1], n, hidden);
-    return any ? bits_of(hidden, p->count) : 0;
-}
-
-/* ---- what passes a solid ---- */
-
-/* Middles and half widths of parts. */
-typedef struct SIMD_ALIGNED middles { double u[AREA_PARTS], v[AREA_PARTS], broad[AREA_PARTS], high[AREA_PARTS]; } middles;
-
-SIMD_CLONES static void find_middles(const area_parts *restrict p, uint32_t n, middles *restrict m)
-{
-    for (uint32_t i = 0; i < n; i++) {
-        m->u[i] = 0.5 * (p->lo[0][i] + p->hi[0][i]);
-        m->v[i] = 0.5 * (p->lo[1][i] + p->hi[1][i]);
-        m->broad[i] = 0.5 * (p->hi[0][i] - p->lo[0][i]);
-        m->high[i] = 0.5 * (p->hi[1][i] - p->lo[1][i]);
+            io->lo[axis][i] = 0.5 * (lo + hi);
+            io->hi[axis][i] = 0.5 * (hi - lo);
+        }
+    SIMD_LOOP for (uint32_t i = 0; i < TOGETHER; i++) {
+        io->first[i] = 0.0;
+        io->last[i] = HUGE_VAL;
     }
 }
 
 /* A slab lo <= t (rate . (1, u, v)) <= hi, where hi is not below zero: no segment to a part is within before `first` or after `last`. */
-SIMD_CLONES static void cut_parts(const double *restrict rate, double lo, double hi, const middles *restrict m, uint32_t n, stretches *restrict s)
+SIMD_INLINE void pass_slab(const double *restrict rate, double lo, double hi, some_parts *restrict io)
 {
     const double off = roundings * (fabs(rate[0]) + fabs(rate[1]) + fabs(rate[2])), ahead = lo > 0.0 ? lo : 0.0, never = lo > 0.0 ? HUGE_VAL : 0.0;
+    const double one = rate[0], by_u = rate[1], by_v = rate[2], broad = fabs(by_u), high = fabs(by_v);
 
-    for (uint32_t i = 0; i < n; i++) {
-        const double at = rate[0] + rate[1] * m->u[i] + rate[2] * m->v[i], wide = fabs(rate[1]) * m->broad[i] + fabs(rate[2]) * m->high[i] + off;
+    SIMD_LOOP for (uint32_t i = 0; i < TOGETHER; i++) {
+        const double at = one + by_u * io->lo[0][i] + by_v * io->lo[1][i], wide = broad * io->hi[0][i] + high * io->hi[1][i] + off;
         const double least = at - wide, most = at + wide, back = most < 0.0 ? lo / most : HUGE_VAL;
         const double first = most > 0.0 ? ahead / most : never, last = least > 0.0 ? hi / least : back;
 
-        s->first[i] = first > s->first[i] ? first : s->first[i];
-        s->last[i] = last < s->last[i] ? last : s->last[i];
+        io->first[i] = first > io->first[i] ? first : io->first[i];
+        io->last[i] = last < io->last[i] ? last : io->last[i];
     }
 }
 
-static void cut_parts_by(const area_cover *c, uint32_t slab, const middles *m, uint32_t n, stretches *s)
+SIMD_INLINE void pass_slabs(const area_cover *c, some_parts *restrict io)
 {
-    const double *r = c->rate[slab], back[3] = { -r[0], -r[1], -r[2] };
+    for (uint32_t i = 0; i < c->slabs; i++) {
+        const double side = c->wide_hi[i] < 0.0 ? -1.0 : 1.0, *r = c->rate[i], rate[3] = { side * r[0], side * r[1], side * r[2] };
 
-    if (c->wide_hi[slab] < 0.0)
-        cut_parts(back, -c->wide_hi[slab], -c->wide_lo[slab], m, n, s);
-    else
-        cut_parts(r, c->wide_lo[slab], c->wide_hi[slab], m, n, s);
+        pass_slab(rate, side < 0.0 ? -c->wide_hi[i] : c->wide_lo[i], side < 0.0 ? -c->wide_lo[i] : c->wide_hi[i], io);
+    }
+    SIMD_LOOP for (uint32_t i = 0; i < TOGETHER; i++)
+        io->flag[i] = io->first[i] > io->last[i] ? 1.0 : io->first[i] > beyond ? 1.0 : 0.0;
 }
 
-/* Lines to all of a part pass the quadric where (b . (1, u, v))^2 - constant (square . (1, u, v, u u, v v, u v)) is below zero all over it: there
- * is most of it at the middle, and by its slopes and curves there. */
-SIMD_CLONES static void pass_quadric(const area_cover *restrict c, const middles *restrict m, uint32_t n, double *restrict missed)
-{
-    const double *b = c->along, *s = c->square, by = c->wide_constant;
-    const double one = b[0] * b[0] - by * s[0], u = 2.0 * b[0] * b[1] - by * s[1], v = 2.0 * b[0] * b[2] - by * s[2];
-    const double uu = b[1] * b[1] - by * s[3], vv = b[2] * b[2] - by * s[4], uv = 2.0 * b[1] * b[2] - by * s[5];
-    const double sum = fabs(b[0]) + fabs(b[1]) + fabs(b[2]), squares = fabs(s[0]) + fabs(s[1]) + fabs(s[2]) + fabs(s[3]) + fabs(s[4]) + fabs(s[5]);
-    const double off = roundings * (sum * sum + by * squares), bent_u = uu > 0.0 ? uu : 0.0, bent_v = vv > 0.0 ? vv : 0.0, turned = fabs(uv);
+/* A quadric in u and v, with a margin. */
+typedef struct discriminant { double one, u, v, uu, vv, uv, off; } discriminant;
 
-    for (uint32_t i = 0; i < n; i++) {
-        const double x = m->u[i], y = m->v[i], broad = m->broad[i], high = m->high[i];
+/* Below zero the lines miss the cover's quadric: (along . (1, u, v))^2 - constant (square . (1, u, v, u u, v v, u v)). */
+static discriminant discriminant_of(const area_cover *c)
+{
+    const double *b = c->along, *s = c->square, by = c->wide_constant, sum = fabs(b[0]) + fabs(b[1]) + fabs(b[2]);
+    const double squares = fabs(s[0]) + fabs(s[1]) + fabs(s[2]) + fabs(s[3]) + fabs(s[4]) + fabs(s[5]);
+
+    return (discriminant){ b[0] * b[0] - by * s[0], 2.0 * b[0] * b[1] - by * s[1], 2.0 * b[0] * b[2] - by * s[2], b[1] * b[1] - by * s[3],
+                   b[2] * b[2] - by * s[4], 2.0 * b[1] * b[2] - by * s[5], roundings * (sum * sum + by * squares) };
+}
+
+/* The most of it in a part is that at the middle, and by its slopes and curves there. */
+SIMD_INLINE void pass_quadric(const discriminant *restrict q, some_parts *restrict io)
+{
+    const double one = q->one, u = q->u, v = q->v, uu = q->uu, vv = q->vv, uv = q->uv, off = q->off;
+    const double bent_u = uu > 0.0 ? uu : 0.0, bent_v = vv > 0.0 ? vv : 0.0, turned = fabs(uv);
+
+    SIMD_LOOP for (uint32_t i = 0; i < TOGETHER; i++) {
+        const double x = io->lo[0][i], y = io->lo[1][i], broad = io->hi[0][i], high = io->hi[1][i];
         const double middle = one + x * (u + uu * x + uv * y) + y * (v + vv * y);
         const double slope = fabs(u + 2.0 * uu * x + uv * y) * broad + fabs(v + 2.0 * vv * y + uv * x) * high;
         const double most = middle + slope + bent_u * broad * broad + bent_v * high * high + turned * broad * high;
 
-        missed[i] = most < -off ? 1.0 : missed[i];
+        io->flag[i] = most < -off ? 1.0 : io->flag[i];
     }
 }
 
-SIMD_CLONES static void pass_slabs(const stretches *restrict s, uint32_t n, double *restrict missed)
+SIMD_CLONES uint64_t area_cover_misses_of(const area_cover *c, const area_parts *p, uint64_t which)
 {
-    for (uint32_t i = 0; i < n; i++)
-        missed[i] = s->first[i] > s->last[i] ? 1.0 : s->first[i] > beyond ? 1.0 : missed[i];
-}
+    const bool round = c->round && c->apart;
+    const discriminant q = discriminant_of(c);
+    SIMD_ALIGNED uint32_t missed[AREA_PARTS] = { 0 };
 
-uint64_t area_cover_misses_of(const area_cover *c, const area_parts *p)
-{
-    const uint32_t n = whole(p->count);
-    SIMD_ALIGNED double missed[AREA_PARTS];
-    stretches s;
-    middles m;
+    for (uint32_t from = 0; from < p->count; from += TOGETHER) {
+        some_parts s;
 
-    find_middles(p, n, &m);
-    for (uint32_t i = 0; i < n; i++) {
-        missed[i] = s.first[i] = 0.0;
-        s.last[i] = HUGE_VAL;
+        if (!(which >> from & ((1u << TOGETHER) - 1)))
+            continue;
+        take(p, from, &s);
+        set_flags(0.0, s.flag);
+        find_middles(&s);
+        if (c->slabs > 0)
+            pass_slabs(c, &s);
+        if (round)
+            pass_quadric(&q, &s);
+        put_flags(s.flag, missed + from);
     }
-    for (uint32_t i = 0; i < c->slabs; i++)
-        cut_parts_by(c, i, &m, n, &s);
-    if (c->slabs > 0)
-        pass_slabs(&s, n, missed);
-    if (c->round && c->apart)
-        pass_quadric(c, &m, n, missed);
-    return bits_of(missed, p->count);
+    return lane_mask_of(missed, p->count) & which;
 }
 
 /* ---- one part ---- */
@@ -279,14 +301,14 @@ bool area_cover_hides(const area_cover *c, const grid_part *part)
 {
     const area_parts one = one_part(part);
 
-    return area_cover_hides_of(c, &one) != 0;
+    return area_cover_hides_of(c, &one, 1) != 0;
 }
 
 bool area_cover_misses(const area_cover *c, const grid_part *part)
 {
     const area_parts one = one_part(part);
 
-    return area_cover_misses_of(c, &one) != 0;
+    return area_cover_misses_of(c, &one, 1) != 0;
 }
 
 /* ---- parts of a grid ---- */
@@ -305,17 +327,18 @@ void area_parts_find(const light_grid *g, uint32_t k, area_parts *out)
     }
 }
 
-SIMD_CLONES static void overlap(const area_parts *restrict p, const grid_part *restrict other, uint32_t n, double *restrict out)
+SIMD_CLONES SIMD_NOINLINE static void find_overlap(const area_parts *restrict p, const grid_part *restrict other, uint32_t n, uint32_t *restrict out)
 {
+    const double lo_u = other->lo[0], hi_u = other->hi[0], lo_v = other->lo[1], hi_v = other->hi[1];
+
     for (uint32_t i = 0; i < n; i++)
-        out[i] = (p->lo[0][i] <= other->hi[0]) & (other->lo[0] <= p->hi[0][i]) & (p->lo[1][i] <= other->hi[1]) & (other->lo[1] <= p->hi[1][i])
-                     ? 1.0 : 0.0;
+        out[i] = (p->lo[0][i] <= hi_u) & (lo_u <= p->hi[0][i]) & (p->lo[1][i] <= hi_v) & (lo_v <= p->hi[1][i]);
 }
 
 uint64_t area_parts_overlap(const area_parts *p, const grid_part *other)
 {
-    SIMD_ALIGNED double out[AREA_PARTS];
+    SIMD_ALIGNED uint32_t out[AREA_PARTS];
 
-    overlap(p, other, whole(p->count), out);
-    return bits_of(out, p->count);
+    find_overlap(p, other, whole(p->count), out);
+    return lane_mask_of(out, p->count);
 }

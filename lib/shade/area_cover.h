@@ -31,9 +31,11 @@ enum { AREA_PARTS = 64 };
 typedef struct area_parts { SIMD_ALIGNED double lo[2][AREA_PARTS], hi[2][AREA_PARTS]; uint32_t count; bool points; } area_parts;
 /* Those of the grid from the k-th one on. */
 void area_parts_find(const light_grid *g, uint32_t k, area_parts *out);
-/* Which of these, bit by bit. */
-uint64_t area_cover_hides_of(const area_cover *c, const area_parts *parts);
-uint64_t area_cover_misses_of(const area_cover *c, const area_parts *parts);
+/* All of them, as bits. */
+static inline uint64_t area_parts_all(const area_parts *parts) { return ~(uint64_t)0 >> (AREA_PARTS - parts->count); }
+/* Which of these, of those that `which` selects. */
+uint64_t area_cover_hides_of(const area_cover *c, const area_parts *parts, uint64_t which);
+uint64_t area_cover_misses_of(const area_cover *c, const area_parts *parts, uint64_t which);
 /* Which of them overlap another part. */
 uint64_t area_parts_overlap(const area_parts *parts, const grid_part *other);
 

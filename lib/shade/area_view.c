@@ -266,30 +266,30 @@ static uint64_t open_of(const area_shadow *s, const area_parts *parts)
 {
     const uint64_t may = area_parts_overlap(parts, &s->part);
 
-    return may && s->outlined ? may & ~area_cover_misses_of(&s->cover, parts) : may;
+    return may && s->outlined ? may & ~area_cover_misses_of(&s->cover, parts, may) : may;
 }
 
-/* Parts that the i-th shadow certainly hides; may: those that each may. */
-static uint64_t hidden_of(const area_view *v, uint32_t i, const area_parts *parts, const uint64_t *may)
+/* Of these parts, those that the i-th shadow certainly hides; may: those that each may. */
+static uint64_t hidden_of(const area_view *v, uint32_t i, const area_parts *parts, const uint64_t *may, uint64_t which)
 {
     const uint32_t tree = v->shadows[i].tree;
     uint64_t hollow = 0;
 
     for (uint32_t k = 0; tree && k < v->count; k++)
         hollow |= k != i && v->shadows[k].tree == tree ? may[k] : 0;
-    return area_cover_hides_of(&v->shadows[i].cover, parts) & ~hollow;
+    which &= may[i] & ~hollow;
+    return which ? area_cover_hides_of(&v->shadows[i].cover, parts, which) : 0;
 }
 
 uint64_t area_view_open(const area_view *v, const area_parts *parts, uint64_t *lit)
 {
-    const uint64_t all = ~(uint64_t)0 >> (AREA_PARTS - parts->count);
     uint64_t open = 0, may[AREA_VIEW_MAX];
 
     for (uint32_t i = 0; i < v->count; i++)
         open |= may[i] = open_of(&v->shadows[i], parts);
-    *lit = all & ~open;
+    *lit = area_parts_all(parts) & ~open;
     for (uint32_t i = 0; open && i < v->count; i++)
-        if (v->shadows[i].hides && (open & may[i]))
-            open &= ~hidden_of(v, i, parts, may);
+        if (v->shadows[i].hides)
+            open &= ~hidden_of(v, i, parts, may, open);
     return open;
 }

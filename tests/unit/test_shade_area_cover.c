@@ -231,14 +231,15 @@ static void parts_side_by_side_are_as_one_by_one(void **state)
             parts.hi[axis][i] = one[i].hi[axis];
         }
     }
-    hides = area_cover_hides_of(&c, &parts);
-    passes = area_cover_misses_of(&c, &parts);
+    hides = area_cover_hides_of(&c, &parts, ~(uint64_t)0);
+    passes = area_cover_misses_of(&c, &parts, ~(uint64_t)0);
     overlap = area_parts_overlap(&parts, &other);
     for (int i = 0; i < AREA_PARTS; i++) {
         assert_int_equal(hides >> i & 1, area_cover_hides(&c, &one[i]));
         assert_int_equal(passes >> i & 1, area_cover_misses(&c, &one[i]));
         assert_int_equal(overlap >> i & 1, grid_parts_overlap(&one[i], &other));
     }
+    assert_int_equal(area_cover_hides_of(&c, &parts, 0xff00ff00ff) ^ area_cover_misses_of(&c, &parts, 0xff00ff00ff), (hides ^ passes) & 0xff00ff00ff);
     assert_true(hides && ~hides && passes && ~passes && !(hides & passes) && overlap && ~overlap);
 }
 
