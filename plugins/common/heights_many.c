@@ -6,8 +6,9 @@ enum { LANES = COMMON_WALK_LANES, MANY = 64, HALVES = LANES / COMMON_ENTRIES };
 
 typedef double by_lane[LANES];
 
-/* By lane, as in a walk; the heights of the cell that it is at, and what is told of its two faces. */
-typedef struct cell_lanes { by_lane at[3], by[3], off, tmax, height[4], across[2], sure[2]; } cell_lanes;
+/* By lane, as in a walk; the heights of the cell that it is at, and what is told of its two faces. Over water one above zero of `dry` and
+ * `wet` tells on which side of its level the ray crosses the plane of a face. */
+typedef struct cell_lanes { by_lane at[3], by[3], off, tmax, height[4], across[2], sure[2], dry[2], wet[2]; } cell_lanes;
 
 /* Rays that have entered the box, and begun. */
 typedef struct group { common_entries e[HALVES]; cell_lanes c; common_walk w; } group;
@@ -64,8 +65,7 @@ COMMON_SEPARATE static void place_lanes(const common_heights *restrict f, const 
 /* May a ray go beside others? */
 static bool may_walk(const common_heights *f, const common_entries *e, uint32_t i, const pov_hits *hits)
 {
-    return hits->want != POV_WANT_ALL && !hits->always_exact && f->ranges.at && !(f->water > 0.0) &&
-           pov_largest(pov_vec3_of(e->f[0][i], e->f[2][i], e->f[4][i])) < COMMON_FAR;
+    return hits->want != POV_WANT_ALL && !hits->always_exact && f->ranges.at && pov_largest(pov_vec3_of(e->f[0][i], e->f[2][i], e->f[4][i])) < COMMON_FAR;
 }
 
 /* Up to LANES rays. One that misses the box neither goes nor is unsure. */
@@ -111,6 +111,27 @@ COMMON_SEPARATE static void judge_lanes(cell_lanes *restrict c, const common_wal
     }
 }
 
+/* At t a ray is `above` + t `rise` over the plane, so where it crosses that it is `over` - t `by` above the water: of this, times the size of
+ * `rise`, the sign counts. */
+COMMON_INLINE double height_of(double above, double rise, double over, double by) { return (over * rise - above * by) * (rise < 0.0 ? -1.0 : 1.0); }
+
+/* Heights over a plane, and what they change by, are off by less than `off`. */
+COMMON_SEPARATE static void judge_water(cell_lanes *restrict c, const common_walk *restrict w, double water)
+{
+    for (uint32_t i = 0; i < LANES; i++) {
+        const double a = c->height[0][i], b = c->height[1][i], h = c->height[2][i], d = c->height[3][i], du = c->by[0][i], dv = c->by[2][i];
+        const double u = c->at[0][i] - w->x[i], v = c->at[2][i] - w->z[i], p = 1.0 - u, q = 1.0 - v, y = c->at[1][i], by = c->by[1][i];
+        const double off = c->off[i] * (2.0 + fabs(y - water) + fabs(by));
+        const double low = height_of(y - a - u * (b - a) - v * (h - a), by - du * (b - a) - dv * (h - a), y - water, by);
+        const double high = height_of(y - d - p * (h - d) - q * (b - d), by + du * (h - d) + dv * (b - d), y - water, by);
+
+        c->dry[0][i] = low - off;
+        c->wet[0][i] = -low - off;
+        c->dry[1][i] = high - off;
+        c->wet[1][i] = -high - off;
+    }
+}
+
 /* Of some lanes. */
 static void judge_cells(const common_heights *f, cell_lanes *c, const common_walk *w, uint32_t lanes)
 {
@@ -124,9 +145,17 @@ static void judge_cells(const common_heights *f, cell_lanes *c, const common_wal
         c->height[3][i] = at[f->wide + 1];
     }
     judge_lanes(c, w);
+    if (f->water > 0.0)
+        judge_water(c, w, 65536.0 * f->water);
 }
 
-/* Of a face, 0 or 1, of the cell that a lane is near. The face that its ray starts on does not count. */
+/* Of a face that a lane passes through: what the water does to it. */
+static inline common_passing above_water(const cell_lanes *c, uint32_t lane, uint32_t face)
+{
+    return c->dry[face][lane] > 0.0 ? COMMON_THROUGH : c->wet[face][lane] > 0.0 ? COMMON_BESIDE : COMMON_UNCLEAR;
+}
+
+/* Of a face, 0 or 1, of the cell that a lane is near. The face that its ray starts on does not count, nor what is below the water. */
 static inline common_passing verdict_in(const crowd *c, uint32_t lane, uint32_t face)
 {
     const common_judged of = { c->c.across[face][lane], c->c.sure[face][lane] };
@@ -135,7 +164,11 @@ static inline common_passing verdict_in(const crowd *c, uint32_t lane, uint32_t 
     const uint32_t feature = 2 * ((uint32_t)c->w.z[lane] * (c->f->wide - 1) + (uint32_t)c->w.x[lane]) + face;
     const bool starts_there = ray->origin_surface == c->hits[c->in[lane]]->owner && ray->origin_mark.feature == feature;
 
-    return found == COMMON_THROUGH && starts_there ? COMMON_BESIDE : found;
+    if (found != COMMON_THROUGH)
+        return found;
+    if (starts_there)
+        return COMMON_BESIDE;
+    return c->f->water > 0.0 ? above_water(&c->c, lane, face) : COMMON_THROUGH;
 }
 
 static common_entry entry_of(const crowd *c, uint32_t ray)
