@@ -55,6 +55,12 @@ static bool is_intersection(const csg_tree *t, node_ref node)
     return true;
 }
 
+static bool forget(csg_tree *t)
+{
+    t->clipped = (csg_clipped){ .count = 0 };
+    return false;
+}
+
 static bool find_clips(csg_tree *t, bool loose)
 {
     csg_clipped found = { .surface = find_surface(t, loose), .loose = loose };
@@ -70,13 +76,14 @@ static bool find_clips(csg_tree *t, bool loose)
         found.hollows |= (uint32_t)t->members[i].inverse << found.count;
         found.clip[found.count++] = i;
     }
-    /* Where a hollow holds the first crossing, the walk asks the surface again: only those that are quick on a stretch gain by it. */
-    if (found.hollows && !t->members[found.surface].shape->intersect_between)
-        return false;
+    t->clipped = found;
+    /* Where a hollow holds the first crossing, the walk asks the surface again: but for csg_hollows_first() only those that are quick on a
+     * stretch gain by it. */
+    if (found.hollows && !csg_is_hollowed(t) && !t->members[found.surface].shape->intersect_between)
+        return forget(t);
     /* Of a patch only clips that do not show leave the first crossing: it has no inside. */
     if (t->members[found.surface].patch && found.shown)
-        return false;
-    t->clipped = found;
+        return forget(t);
     return true;
 }
 
@@ -355,7 +362,7 @@ static bool leave_hollows(clip_search *s, const pov_ray *own, double off, const 
 
 /* Where hollows clip too: the first crossing of the surface, if no hollow holds the place. Where these show, nothing does before it if the ray
  * enters the surface there. */
-static bool conclude_hollow(clip_search *s, const pov_ray *own, const pov_crossing *first, const pov_vec3 *normal, double off, pov_hits *hits)
+static bool conclude_beside(clip_search *s, const pov_ray *own, const pov_crossing *first, const pov_vec3 *normal, double off, pov_hits *hits)
 {
     const csg_clipped *c = &s->w->tree->clipped;
     const csg_member *m = &s->w->tree->members[c->surface];
@@ -371,6 +378,13 @@ static bool conclude_hollow(clip_search *s, const pov_ray *own, const pov_crossi
     if (first)
         csg_report(first, enters, hits);
     return true;
+}
+
+/* Or where nothing but hollows clips, whatever they hold. */
+static bool conclude_hollow(clip_search *s, const pov_ray *own, const pov_crossing *first, const pov_vec3 *normal, double off, pov_hits *hits)
+{
+    return conclude_beside(s, own, first, normal, off, hits) ||
+           (off > 0.0 && csg_is_hollowed(s->w->tree) && csg_hollows_first(s->w, s->in, s->out, off, hits));
 }
 
 /* `first`: of the surface, or NULL; `normal`: where that is needed. False: open. */
@@ -425,6 +439,8 @@ bool csg_clipped_first(csg_traversal *w, pov_hits *hits)
     begin(&s, w);
     if (w->tree->clipped.outlined)
         found = narrow_by_outline(&s, hits, &off);
+    if (found == CSG_CROSSED && w->tree->clipped.hollows && !w->tree->members[w->tree->clipped.surface].shape->intersect_between)
+        return csg_hollows_first(w, s.in, s.out, off, hits);
     if (found == CSG_NOTHING || (found == CSG_CROSSED && find_between(&s, fmax(s.enter - off, 0.0), s.leave + off, off, hits)))
         return true;
     if (w->tree->clipped.loose)

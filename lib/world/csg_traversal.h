@@ -64,6 +64,10 @@ bool csg_clipped_first(csg_traversal *w, pov_hits *hits);
 /* The same of up to so many rays, where the clips have an outline and the surface takes several. Returns those that are open, a bit each. */
 enum { CSG_CLIPPED_MANY = 8 };
 uint32_t csg_clipped_many(const csg_tree *t, const pov_ray *const *rays, pov_hits *const *hits, uint32_t n);
+/* Do nothing but hollows clip the surface, and has it an inside? The same of one ray, with ends of hollows that are off by less than `off`. False:
+ * open. */
+bool csg_is_hollowed(const csg_tree *t);
+bool csg_hollows_first(const csg_traversal *w, const double *in, const double *out, double off, pov_hits *hits);
 /* Of n candidates of such a tree, those that do not certainly pass its surface. */
 uint32_t csg_clipped_narrow(const csg_tree *t, const pov_rays *rays, pov_candidate *io, uint32_t n);
 /* Which crossing of a tree with an outline is the first that is not beyond `most`? `from`: the column that the ray starts on, or

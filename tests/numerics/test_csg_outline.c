@@ -21,6 +21,7 @@ typedef struct scene {
     pov_reader *in;
     const transform *map;        /* of most members: then faces of theirs lie on each other */
     bool endless;                /* planes and quadrics too */
+    shape_class surface;         /* of a torus that is no torus of the plugin's */
     side filtered, exact;
     kept of[8];                  /* rays by octant */
 } scene;
@@ -111,20 +112,22 @@ static void make_any(const scene *s, probe *p)
     make_endless(p);
 }
 
-static node_ref add_moved(scene *s, probe p, const transform *map, uint32_t flags)
+static node_ref add_of(scene *s, probe p, const shape_class *shape, const transform *map, uint32_t flags)
 {
-    shape_class written;
-    const shape_class *shape;
+    shape_class written = *shape;
     void *self;
 
-    shape = fake_reader_shape(probe_keyword(p.kind));
-    written = *shape;
     self = fake_reader_memory(s->in, shape->instance_size + shape->parsed_size);
     if (shape->prepare)
         written.instance_size = shape->parsed_size;
     written.prepare = NULL;
     assert_true(probe_make(&p, &written, s->in, self));
     return test_add(&s->model, shape, self, map, 0, flags);
+}
+
+static node_ref add_moved(scene *s, probe p, const transform *map, uint32_t flags)
+{
+    return add_of(s, p, fake_reader_shape(probe_keyword(p.kind)), map, flags);
 }
 
 static node_ref add_probe(scene *s, probe p)
@@ -219,6 +222,27 @@ static void make_torus_tree(scene *s, node_op op)
 
 static void make_clipped_tree(scene *s) { make_torus_tree(s, NODE_CLIP); }
 static void make_cut_tree(scene *s) { make_torus_tree(s, U() < 0.6 ? NODE_INTERSECTION : NODE_DIFFERENCE); }
+
+/* Out of a torus up to three others are cut, of which some may show and planes may be; it may be of a class that is not asked between
+ * distances. */
+static void make_hollowed_tree(scene *s)
+{
+    group_node all = { .op = NODE_DIFFERENCE, .line = 1, .column = 1 };
+    const probe torus = { .kind = TORUS, .count = 2, .size = 1.0, .number = { 0.5 + 0.8 * U(), 0.1 + 0.4 * U() } };
+    const uint32_t n = 2 + below(3);
+    node_ref children[4], root;
+
+    s->surface = *fake_reader_shape("torus");
+    if (U() < 0.7)
+        s->surface.intersect_between = NULL, s->surface.intersect_between_many = NULL;
+    s->endless = U() < 0.3;
+    children[0] = add_of(s, torus, &s->surface, U() < 0.6 ? s->map : make_map(&s->model), 0);
+    for (uint32_t i = 1; i < n; i++)
+        children[i] = add_member(s);
+    s->endless = false;
+    assert_true(model_add_group(&s->model, &all, children, n, &root));
+    assert_true(model_add_tree(&s->model, root));
+}
 
 static pov_ray new_ray(void)
 {
@@ -381,6 +405,14 @@ static void outlines_of_what_cuts_a_surface_find_what_the_walk_finds(void **stat
     assert_true(all.hits > rays / 20 && all.blocked > all.hits / 2);
 }
 
+static void outlines_of_hollows_find_what_the_walk_finds(void **state)
+{
+    const tally all = ask_all(make_hollowed_tree);
+
+    (void)state;
+    assert_true(all.hits > rays / 10 && all.blocked > all.hits / 2);
+}
+
 /* A ray that is inside the torus enters a box and a cylinder in one plane: the first in the text shows. */
 static void a_plane_of_two_clips_is_the_first_ones(void **state)
 {
@@ -416,6 +448,7 @@ int main(int argc, char **argv)
         cmocka_unit_test(outlines_of_any_nodes_find_what_the_walk_finds),
         cmocka_unit_test(outlines_of_clips_find_what_the_walk_finds),
         cmocka_unit_test(outlines_of_what_cuts_a_surface_find_what_the_walk_finds),
+        cmocka_unit_test(outlines_of_hollows_find_what_the_walk_finds),
         cmocka_unit_test(a_plane_of_two_clips_is_the_first_ones),
     };
 
