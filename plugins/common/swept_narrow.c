@@ -24,7 +24,8 @@ COMMON_SEPARATE static void find_lines(const common_swept *s, const common_beams
 
     for (uint32_t i = 0; i < N; i++) {
         const double dx = l->dir[0][i], dy = l->dir[other][i], px = l->org[0][i], py = l->org[other][i], rise = l->dir[up][i];
-        const double length = sqrt(dx * dx + dy * dy), per = 1.0 / length, turns = 1.0 / rise, ex = dx * per, ey = dy * per;
+        const double length = sqrt(dx * dx + dy * dy), per = 1.0 / length, turns = 1.0 / rise;
+        const double ex = length > 0.0 ? dx * per : 1.0, ey = length > 0.0 ? dy * per : 0.0;   /* numbers, or other lanes would not be told of */
         const double off = l->off[i] * (2.0 + per), off_plane = 4.0 * l->off[i] * (1.0 + fabs(turns));
         const double a = (low - l->org[up][i]) * turns, b = (high - l->org[up][i]) * turns, near = common_lesser(a, b), far = common_greater(a, b);
         const double start_at = l->sure_from[i] > 0.0 ? 0.0 : -1.0, wide = sqrt(off), from_cap = out->own[i] == (rise > 0.0 ? ON_LOW : ON_HIGH) ? 1.0 : 0.0;

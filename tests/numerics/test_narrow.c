@@ -289,9 +289,58 @@ static void filters_find_what_rays_find_alone(void **state)
         ask_kind(which);
 }
 
+static void make_square(pov_reader *in, double size)
+{
+    add_number(in, -size);
+    add_number(in, size);
+    fake_reader_number(in, 5);
+    for (int i = 0; i < 5; i++)
+        add_point(in, i % 4 < 2 ? size : -size, i % 4 == 1 || i % 4 == 2 ? size : -size);
+}
+
+/* Of eight rays at its box half go straight along the sweep: in the plane of the outline they are points. */
+static void rays_along_a_sweep_leave_others_as_they_are(void **state)
+{
+    const shape_class *shape = fake_reader_shape("prism");
+    pov_reader *in = fake_reader_create();
+    tally out = { 0, 0, 0 };
+    scene s;
+    void *self;
+
+    (void)state;
+    memset(&s, 0, sizeof s);
+    s.size = 1.0;
+    test_model_init(&s.model, NULL);
+    make_square(in, 1.0);
+    self = fake_reader_memory(in, shape->instance_size);
+    assert_true(fake_reader_parse_into(in, shape, self));
+    test_add(&s.model, shape, self, test_transform(&s.model, NULL, TRANSFORM_SCALE, 1.0, 2.0, 1.0), 0, 0);
+    side_compile(&s.filtered, &s.model, POV_ACCEL_TREE, false);
+    side_compile(&s.plain, &s.model, POV_ACCEL_NONE, false);
+    for (int i = 0; i < WORLD_MANY; i++) {
+        const double off = 0.01 * i;
+        pov_ray ray = { .org = { -3.0, 2.5 - off, -0.2 }, .dir = { 1.0, -0.5, 0.1 }, .origin_surface = POV_NO_OWNER };
+        hit h;
+
+        if (i % 8 >= 4) {
+            ray.org = pov_vec3_of(0.5 - off, 9.0, 0.5);
+            ray.dir = pov_vec3_of(0.0, -1.0, 0.0);
+        }
+        ask(&s, &ray, &h, &out);
+    }
+    assert_int_equal(out.hits, WORLD_MANY);
+    side_discard(&s.filtered);
+    side_discard(&s.plain);
+    model_free(&s.model);
+    fake_reader_destroy(in);
+}
+
 int main(int argc, char **argv)
 {
-    const struct CMUnitTest tests[] = { cmocka_unit_test(filters_find_what_rays_find_alone) };
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(filters_find_what_rays_find_alone),
+        cmocka_unit_test(rays_along_a_sweep_leave_others_as_they_are),
+    };
 
     if (argc > 1)
         rays = strtol(argv[1], NULL, 10);
