@@ -1,5 +1,6 @@
-/* Rays at the box of a straight sweep, side by side: in the plane of the outline each is a line, and what counts of it lies between the
- * two planes. Crossings of the outline before that stretch tell whether it begins inside. */
+/* Rays at the box of a sweep, side by side: in the plane of the outline each is a line, and what counts of it lies between the
+ * two planes. Crossings of the outline before that stretch tell whether it begins inside. Seen from the apex of a cone what counts is a
+ * line too, in the plane at height 1. */
 #include "common/swept.h"
 
 #include "base/elementary.h"
@@ -51,6 +52,51 @@ COMMON_SEPARATE static void find_lines(const common_swept *s, const common_beams
 }
 
 COMMON_INLINE double greater(double a, double b) { return a > b ? a : b; }
+
+/* By lane, of a cone: where on the ray what counts begins and ends, and the heights there. */
+typedef struct stretches { common_beam begin, end, from, to; } stretches;
+
+/* Both ends are off by `off` and what the planes are, times the inverse of the height; points as far off as `extent` by that over the length. A ray
+ * that comes to the box from outside is outside there, and where it leaves the box. */
+COMMON_SEPARATE static void find_cone_lines(const common_swept *s, const common_beams *restrict l, double extent, lines *restrict out,
+                                            stretches *restrict part)
+{
+    const double low = s->lo.hi, high = s->hi.hi, caps = s->open ? 0.0 : 1.0;
+
+    for (uint32_t i = 0; i < N; i++) {
+        const double px = l->org[0][i], py = l->org[2][i], height = l->org[1][i], dx = l->dir[0][i], dy = l->dir[2][i], rise = l->dir[1][i];
+        const double turns = 1.0 / rise, off_plane = 4.0 * l->off[i] * (1.0 + fabs(turns)), last = l->to[i];
+        const double a = (low - height) * turns, b = (high - height) * turns, near = common_lesser(a, b), far = common_greater(a, b);
+        const double from_cap = out->own[i] == (rise > 0.0 ? ON_LOW : ON_HIGH) ? 1.0 : 0.0, to_cap = out->own[i] == (rise > 0.0 ? ON_HIGH : ON_LOW) ? 1.0 : 0.0;
+        const double is_after = near - off_plane > 0.0 ? 1.0 - from_cap : 0.0, is_before = near + off_plane < 0.0 ? 1.0 : from_cap;
+        const double is_within = far + off_plane < l->sure_to[i] ? 1.0 : 0.0, is_beyond = far - off_plane > last ? 1.0 : 0.0;
+        const double begin = is_after > 0.0 ? near : 0.0, end = common_lesser(far, last), from = height + begin * rise, to = height + end * rise;
+        const double v = 1.0 / from, w = 1.0 / to, x = (px + begin * dx) * v, y = (py + begin * dy) * v, ux = (px + end * dx) * w - x, uy = (py + end * dy) * w - y;
+        const double length = sqrt(ux * ux + uy * uy), per = 1.0 / length;
+        const double reach = 1.0 + fabs(x) + fabs(y) + length, most = common_greater(fabs(v), fabs(w));
+        const double off = (l->off[i] + off_plane) * reach * most * (2.0 + (extent + reach) * per), wide = sqrt(off);
+        const double none = end < begin - 2.0 * off_plane ? 1.0 : to_cap, known = wide < 0x1p-12 ? off_plane < 0x1p-12 ? 1.0 : 0.0 : 0.0;
+        const double ex = known > 0.0 ? ux * per : 1.0, ey = known > 0.0 ? uy * per : 0.0;
+
+        out->ex[i] = ex;
+        out->ey[i] = ey;
+        out->side[i] = known > 0.0 ? x * ey - y * ex : 0.0;
+        out->place[i] = known > 0.0 ? x * ex + y * ey : 0.0;
+        out->begin[i] = out->sure_begin[i] = 0.0;
+        out->end[i] = none > 0.0 ? -HUGE_VAL : length;
+        out->sure_end[i] = length;
+        out->enters[i] = is_after * caps;
+        out->leaves[i] = is_within * caps;
+        out->beside[i] = known > 0.0 ? wide : 1.0;
+        out->off[i] = known > 0.0 ? 4.0 * wide : 1.0;
+        out->open[i] = 1.0 - known * common_greater(is_after, is_before) * common_greater(is_within, is_beyond);
+        out->per[i] = per;
+        part->begin[i] = begin;
+        part->end[i] = end;
+        part->from[i] = from;
+        part->to[i] = to;
+    }
+}
 
 /* On which side of each line a point is, and how far. */
 COMMON_SEPARATE static void find_sides(const lines *restrict n, double x, double y, double *restrict out)
@@ -172,6 +218,30 @@ COMMON_SEPARATE static void tell(const lines *restrict n, const sums *restrict o
     }
 }
 
+/* Where the ray is at a share of its line, as seen from the apex. */
+COMMON_INLINE double place_in(const stretches *c, uint32_t i, double share)
+{
+    const double held = share > 0.0 ? share < 1.0 ? share : 1.0 : 0.0, by = held * c->from[i];
+
+    return c->begin[i] + (c->end[i] - c->begin[i]) * (by / ((1.0 - held) * c->to[i] + by));
+}
+
+/* Of a cone: places of the line become places of the ray. */
+COMMON_SEPARATE static void tell_of_cone(const lines *restrict n, const stretches *restrict c, const sums *restrict of, common_verdicts *restrict out)
+{
+    for (uint32_t i = 0; i < N; i++) {
+        const double inside = of->side[i] < 0.0 ? 1.0 : 0.0, crossed = of->hi[i] < HUGE_VAL ? 1.0 : 0.0, known = 1.0 - of->open[i];
+        const double none = n->end[i] < n->begin[i] ? 1.0 - n->open[i] : 0.0, enters = inside * n->enters[i];
+        const double leaves = (1.0 - crossed) * inside * n->leaves[i], off = 2.0 * n->off[i], hit = enters + crossed + leaves > 0.0 ? known : 0.0;
+        const double lo = place_in(c, i, (of->lo[i] - off) * n->per[i]), hi = place_in(c, i, (of->hi[i] + off) * n->per[i]), beside = n->beside[i];
+
+        out->passed[i] = none > 0.0 ? 1.0 : known - hit;
+        out->hit[i] = none > 0.0 ? 0.0 : hit;
+        out->lo[i] = (enters > 0.0 ? c->begin[i] : crossed > 0.0 ? lo : c->end[i]) - beside;
+        out->hi[i] = (enters > 0.0 ? c->begin[i] : crossed > 0.0 ? hi : c->end[i]) + beside;
+    }
+}
+
 /* As a cubic, which the points of a quadratic are taken to. */
 static void add_curve(const common_piece *c, const lines *n, double number, sums *io)
 {
@@ -214,9 +284,22 @@ static void add_pieces(const common_outline *o, const lines *n, sums *io)
     }
 }
 
+static double extent_of(const common_outline *o)
+{
+    return common_greater(common_greater(fabs(o->lo[0]), fabs(o->hi[0])), common_greater(fabs(o->lo[1]), fabs(o->hi[1])));
+}
+
+bool common_swept_may_look(const common_swept *s)
+{
+    const double low = s->lo.hi, high = s->hi.hi;
+
+    return !s->conic || low > 0x1p-8 * high || high < 0x1p-8 * low;
+}
+
 void common_swept_look(const void *self, const common_beams *restrict l, common_verdicts *restrict out)
 {
     const common_swept *s = self;
+    stretches part;
     lines n;
     sums of;
 
@@ -226,12 +309,18 @@ void common_swept_look(const void *self, const common_beams *restrict l, common_
         n.own[i] = l->feature[i] == UINT32_MAX ? FREE : feature == LOW_CAP ? ON_LOW : feature == HIGH_CAP ? ON_HIGH : (double)(feature - PIECES);
         n.u[i] = l->u[i];
     }
-    find_lines(s, l, &n);
+    if (s->conic)
+        find_cone_lines(s, l, extent_of(&s->outline), &n, &part);
+    else
+        find_lines(s, l, &n);
     for (uint32_t i = 0; i < N; i++) {
         of.side[i] = 1.0;
         of.lo[i] = of.hi[i] = HUGE_VAL;
         of.open[i] = n.open[i];
     }
     add_pieces(&s->outline, &n, &of);
-    tell(&n, &of, out);
+    if (s->conic)
+        tell_of_cone(&n, &part, &of, out);
+    else
+        tell(&n, &of, out);
 }

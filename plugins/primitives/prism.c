@@ -206,7 +206,7 @@ static uint32_t narrow(const void *self, const pov_own_map *map, uint32_t owner,
 {
     const prism *p = self;
 
-    return p->swept.conic ? n : common_narrow(&p->boxed, common_swept_look, &p->swept, map, owner, rays, io, n);
+    return !common_swept_may_look(&p->swept) ? n : common_narrow(&p->boxed, common_swept_look, &p->swept, map, owner, rays, io, n);
 }
 
 COMMON_NARROW_CLASS(prism, cross, first, narrow)

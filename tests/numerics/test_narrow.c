@@ -51,15 +51,15 @@ static void make_torus(pov_reader *in, double size)
 }
 
 /* A star of three to nine points; one with a hole, now and then. Splines have points that steer them before it and behind. */
-static void make_prism(pov_reader *in, double size)
+static void make_sweep(pov_reader *in, double size, double low, double high)
 {
     static const char *const words[] = { "linear_spline", "quadratic_spline", "cubic_spline" };
     const uint32_t spline = (uint32_t)(3.0 * U()), before = spline > 0, behind = spline > 1, rings = spline == 0 && U() < 0.5 ? 2 : 1;
     const uint32_t corners = 3 + (uint32_t)(7.0 * U());
 
     fake_reader_word(in, words[spline]);
-    add_number(in, -size * U());
-    add_number(in, size * U());
+    add_number(in, low);
+    add_number(in, high);
     fake_reader_number(in, rings * (corners + 1) + before + behind);
     for (uint32_t ring = 0; ring < rings; ring++) {
         double at[16][2];
@@ -78,6 +78,17 @@ static void make_prism(pov_reader *in, double size)
     }
     if (U() < 0.3)
         fake_reader_word(in, "open");
+}
+
+static void make_prism(pov_reader *in, double size) { make_sweep(in, size, -size * U(), size * U()); }
+
+/* Its outline is as wide as the size at a height of that. */
+static void make_cone(pov_reader *in, double size)
+{
+    const double low = size * (U() < 0.2 ? 1e-4 : 0.05 + 0.6 * U()), sign = U() < 0.5 ? -1.0 : 1.0;
+
+    fake_reader_word(in, "conic_sweep");
+    make_sweep(in, 1.0, sign * low, sign * (low + size * U()));
 }
 
 static void make_lathe(pov_reader *in, double size)
@@ -167,10 +178,11 @@ static void make_box(pov_reader *in, double size)
     add_corner(in, 0.2 * size, size);
 }
 
-enum { CLIPPED = 5, QUARTIC, MAKERS, ROUND = MAKERS, BLOCK };
+enum { CLIPPED = 5, QUARTIC, CONIC, MAKERS, ROUND = MAKERS, BLOCK };
 static const struct { const char *keyword; shape_maker *make; } kinds[] = {
     { "torus", make_torus }, { "prism", make_prism }, { "lathe", make_lathe }, { "sor", make_sor }, { "ovus", make_ovus },
-    { "cubic", make_cubic }, { "quartic", make_quartic }, { "sphere", make_sphere }, { "box", make_box },
+    { "cubic", make_cubic }, { "quartic", make_quartic }, { "prism", make_cone },
+    { "sphere", make_sphere }, { "box", make_box },
 };
 
 static node_ref add(scene *s, pov_reader *in, uint32_t which, const transform *t)
