@@ -33,7 +33,7 @@ static double finite(pov_reader *in, double number)
 {
     if (fabs(number) <= DBL_MAX)
         return number;
-    report_fail(in, &in->value, POV_E_SYNTAX, "%g is no number that can stand here", number);
+    report_fail(in, &in->value, POV_E_SYNTAX, "%g is no number that can stand here", number == number ? number : fabs(number));
     return 0.0;
 }
 
