@@ -13,6 +13,12 @@ static uint16_t wide_at(const unsigned char *at, uint32_t channel)
     return wide;
 }
 
+/* Rounded as POV-Ray rounds it: of grey that decides the last digit of the sum. */
+static float share_at(const unsigned char *at, uint32_t channel)
+{
+    return (float)(wide_at(at, channel) / 65535.0);
+}
+
 static float real_at(const unsigned char *at, uint32_t channel)
 {
     float real;
@@ -37,7 +43,7 @@ static uint16_t height_at(const image *of, const unsigned char *at)
     if (of->bits == 8)
         return (uint16_t)(at[0] << 8 | (of->colours > 0 ? 0 : is_grey ? at[0] : at[1]));
     if (of->bits == 16)
-        return is_grey ? wide_at(at, 0) : height_of(0.297 * wide_at(at, 0) + 0.589 * wide_at(at, 1) + 0.114 * wide_at(at, 2));
+        return is_grey ? wide_at(at, 0) : height_of(65535.0 * (0.297 * share_at(at, 0) + 0.589 * share_at(at, 1) + 0.114 * share_at(at, 2)));
     return height_of(65535.0 * (is_grey ? real_at(at, 0) : 0.297 * real_at(at, 0) + 0.589 * real_at(at, 1) + 0.114 * real_at(at, 2)));
 }
 

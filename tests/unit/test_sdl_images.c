@@ -225,6 +225,10 @@ static void heights_of_a_pigment_are_its_brightness(void **state)
     assert_int_equal(read_scene(&b, "} #declare H = height_field { function 5, 4 { pigment { gradient y color_map { [0 rgb x] [1 rgb <0, 1, 1>] } } } };\n"
                                     "#if (abs(trace(H, <.3, 9, .4>, -y).y - .54058) > 1e-4) #error \"its height\" #end sphere { 0, 1"), POV_OK);
     end(&b);
+    assert_int_equal(read_scene(&b, "} #declare H = height_field { function 3, 3 { pigment { rgb .0874 } } }; #declare I = height_field { function 3, 3 { "
+                                    "pigment { rgb .1311 } } };\n#if (abs(trace(H, <.3, 9, .4>, -y).y * 65536 - 5727) + abs(trace(I, <.3, 9, .4>, -y).y * 65536 - 8590) > .01) "
+                                    "#error \"its digit\" #end sphere { 0, 1"), POV_OK);
+    end(&b);
 }
 
 /* As POV-Ray has it; the filter is lost. */
