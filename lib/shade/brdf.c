@@ -229,8 +229,8 @@ static const appearance *common(const surfaces *on, uint32_t level)
 
 static int64_t alike(int64_t some, int64_t all) { return some == all && some < 64 ? some : 0; }
 
-/* Batches of one appearance often follow one another: then lanes are as they were. */
-static void begin_common(finishes *f, const surfaces *on, const appearance *a)
+/* Batches of one appearance often follow one another: then lanes are as they were. name: what of the scene they are held as, or NULL. */
+static void begin_common(finishes *f, const surfaces *on, const appearance *a, const appearance *name)
 {
     f->count = a->lit ? on->count : 0;
     for (uint32_t k = 0; k < f->count; k++)
@@ -238,9 +238,9 @@ static void begin_common(finishes *f, const surfaces *on, const appearance *a)
     f->kinds = f->count > 0 ? a->kinds : 0;
     f->alike = f->count > 0 ? alike(a->power, a->power) : 0;
     f->has_phong = f->count > 0 && a->finish->phong != 0.0f;
-    if (f->held != a)
+    if (f->held != name || !name)
         f->held_count = 0;
-    f->held = a;
+    f->held = name;
     for (uint32_t i = f->held_count; i < f->count; i++) {
         set_finish(f, i, a);
         if (a->kinds)
@@ -249,17 +249,12 @@ static void begin_common(finishes *f, const surfaces *on, const appearance *a)
     f->held_count = f->count > f->held_count ? f->count : f->held_count;
 }
 
-/* Surfaces of one appearance but for their pigments. What their material adds to the finish is rare, and not held. */
+/* Surfaces of one appearance but for their pigments. All else is that of the finish, unless layers made it, or the material adds to it. */
 static void begin_coloured(finishes *f, const surfaces *on)
 {
     const appearance *a = on->at[0].appearance;
-    const bool holds = !a->kinds && a != on->coloured;
 
-    if (!holds)
-        f->held = NULL;
-    begin_common(f, on, holds ? on->coloured : a);
-    if (!holds)
-        f->held = NULL;
+    begin_common(f, on, a, a == on->coloured || a->material->double_illuminate ? NULL : on->coloured);
     memcpy(f->red, on->pigment.red, sizeof f->red);
     memcpy(f->green, on->pigment.green, sizeof f->green);
     memcpy(f->blue, on->pigment.blue, sizeof f->blue);
@@ -278,7 +273,7 @@ void brdf_begin(finishes *f, const model *m, const surfaces *on, uint32_t level)
         return;
     }
     if (same) {
-        begin_common(f, on, same);
+        begin_common(f, on, same, same);
         return;
     }
     f->held = NULL;

@@ -104,12 +104,13 @@ static void colours_of_one_finish_have_the_bits_of_terms(void **state)
     (void)state;
     for (size_t k = 0; k < EACH * (sizeof finishes / sizeof finishes[0]); k++) {
         const char *const finish = finishes[k / EACH], *const pigment = pigments[k % PIGMENTS];
-        const char *const both = k / PIGMENTS & 1 ? "double_illuminate" : "", *const normal = k / PIGMENTS & 2 ? "normal { bumps .6 scale .2 }" : "";
+        const char *const both = k / PIGMENTS & 1 ? "double_illuminate no_shadow" : "", *const normal = k / PIGMENTS & 2 ? "normal { bumps .6 scale .2 }" : "";
+        const char *const objects = "translate -9*z } #declare T = texture { pigment { %s } %s finish { F } } #declare U = texture { %s }\n"
+                                    "box { <-9, -.7, 0>, 9 texture { U } rotate 60*x no_shadow } box { <-9, -9, 0>, <9, -.7, 9> texture { U } rotate 60*x %s";
         char alone[TEXT], list[TEXT];
 
-        assert_true(snprintf(alone, sizeof alone, "texture { pigment { %s } %s finish { F } } %s", pigment, normal, both) < TEXT);
-        assert_true(snprintf(list, sizeof list, "translate -9*z } #declare T = texture { pigment { %s } %s finish { F } } "
-                             "sphere { 0, 1 texture { checker texture { T } texture { T } } %s", pigment, normal, both) < TEXT);
+        assert_true(snprintf(alone, sizeof alone, objects, pigment, normal, "T", both) < TEXT);
+        assert_true(snprintf(list, sizeof list, objects, pigment, normal, "checker texture { T } texture { T }", both) < TEXT);
         memcpy(of_terms, colours_of("3.7", finish, list), sizeof of_terms);
         assert_memory_equal(of_terms, colours_of("3.7", finish, alone), sizeof of_terms);
     }
