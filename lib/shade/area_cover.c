@@ -207,16 +207,24 @@ SIMD_INLINE void find_middles(some_parts *restrict io)
 /* A slab lo <= t (rate . (1, u, v)) <= hi, where hi is not below zero: no segment to a part is within before `first` or after `last`. */
 SIMD_INLINE void pass_slab(const double *restrict rate, double lo, double hi, some_parts *restrict io)
 {
-    const double off = roundings * (fabs(rate[0]) + fabs(rate[1]) + fabs(rate[2])), ahead = lo > 0.0 ? lo : 0.0, never = lo > 0.0 ? HUGE_VAL : 0.0;
+    const double off = roundings * (fabs(rate[0]) + fabs(rate[1]) + fabs(rate[2]));
     const double one = rate[0], by_u = rate[1], by_v = rate[2], broad = fabs(by_u), high = fabs(by_v);
+    SIMD_ALIGNED lane most;
 
     SIMD_LOOP for (uint32_t i = 0; i < TOGETHER; i++) {
-        const double at = one + by_u * io->lo[0][i] + by_v * io->lo[1][i], wide = broad * io->hi[0][i] + high * io->hi[1][i] + off;
-        const double least = at - wide, most = at + wide, back = most < 0.0 ? lo / most : HUGE_VAL;
-        const double first = most > 0.0 ? ahead / most : never, last = least > 0.0 ? hi / least : back;
+        const double at = one + by_u * io->lo[0][i] + by_v * io->lo[1][i], wide = broad * io->hi[0][i] + high * io->hi[1][i] + off, least = at - wide;
+        const double height = least > 0.0 ? hi : lo, slope = least > 0.0 ? least : at + wide, t = height / slope;
+        const double last = least > 0.0 ? t : slope < 0.0 ? t : HUGE_VAL;
+
+        most[i] = at + wide;
+        io->last[i] = last < io->last[i] ? last : io->last[i];
+    }
+    if (!(lo > 0.0))
+        return;
+    SIMD_LOOP for (uint32_t i = 0; i < TOGETHER; i++) {
+        const double t = lo / most[i], first = most[i] > 0.0 ? t : HUGE_VAL;
 
         io->first[i] = first > io->first[i] ? first : io->first[i];
-        io->last[i] = last < io->last[i] ? last : io->last[i];
     }
 }
 
