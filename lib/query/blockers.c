@@ -133,12 +133,12 @@ static bool add_tree(const asking *a, const csg_tree *t, bool opaque)
 
 /* ---- other objects ---- */
 
-/* Is it a convex solid whose whole surface is there, and stops light? */
+/* Is it a convex solid whose whole surface is there, and does the same to light everywhere? */
 static bool is_whole(const leaf_batch *r, uint32_t lane)
 {
     const shape_class *shape = r->shape;
 
-    return (r->opaque & r->plain & 1u << lane) && (shape->flags & POV_SHAPE_CONVEX) && !(shape->open && shape->open(leaf_batch_instance(r, lane)));
+    return (r->plain & 1u << lane) && (shape->flags & POV_SHAPE_CONVEX) && !(shape->open && shape->open(leaf_batch_instance(r, lane)));
 }
 
 /* The shape's own box, or else the leaf's. */
@@ -147,6 +147,7 @@ static bool add_boxed(const asking *a, const leaf_batch *r, uint32_t lane, const
     const instance_xform *x = r->flags & LEAF_INSTANCED ? leaf_batch_xform(r) : NULL;
     const uint32_t flags = r->shape->flags;
     blocker b = { .is_box = false };
+    bool whole;
 
     if (!x && r->object[lane] < a->world->model->leaves.count &&
         r->shape->bounds(leaf_batch_instance(r, lane), &b.box)) {
@@ -162,7 +163,10 @@ static bool add_boxed(const asking *a, const leaf_batch *r, uint32_t lane, const
     if (x && !may_overlap_own(a, x, r->shape, r->instances))
         return true;
     b.outlined = find_outline(r->shape, leaf_batch_instance(r, lane), x, &b.solid);
-    b.hides = b.outlined && is_whole(r, lane);
+    whole = b.outlined && is_whole(r, lane);
+    b.hides = whole && (r->opaque >> lane & 1);
+    b.dims = whole && !b.hides;
+    b.object = r->object[lane];
     return a->add(a->user, &b);
 }
 

@@ -65,6 +65,8 @@ typedef struct blocker {
     bool is_box, is_sphere;      /* its surface lies on the box's, or on the sphere inscribed in it */
     bool is_plane;
     bool outlined, hides;        /* its surface lies on that of `solid`, in the world; all of its inside stops light, and is convex */
+    bool dims;                   /* it is such a solid of which each crossing leaves the same part of light */
+    uint32_t object;             /* then */
     uint32_t tree;               /* not 0: it is a member of this tree. What hides is then all that is in no other member of it. */
     pov_outline solid;
 } blocker;

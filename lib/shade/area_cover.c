@@ -41,6 +41,7 @@ static bool add_slab(area_cover *c, const pov_outline *solid, uint32_t i, const 
     c->hi[i] = solid->hi[i] - thinner - at;
     c->wide_lo[i] = solid->lo[i] - thinner - at;
     c->wide_hi[i] = solid->hi[i] + thinner - at;
+    c->near += (c->lo[i] < 0.0 ? 0 : 1) + (c->hi[i] > 0.0 ? 0 : 1);
     c->rate[i][0] = pov_dot(n, v->to);
     c->rate[i][1] = pov_dot(n, v->axes[0]);
     c->rate[i][2] = pov_dot(n, v->axes[1]);
@@ -57,6 +58,7 @@ static bool add_quadric(area_cover *c, const pov_outline *solid, const view *v, 
     *outside = *outside || at > off;
     c->constant = at - skin * solid->constant;
     c->wide_constant = at + skin * solid->constant;
+    c->near += c->constant < 0.0 ? 0 : 1;
     c->apart = c->wide_constant > clear * off;
     c->along[0] = pov_dot(g, v->to);
     c->along[1] = pov_dot(g, v->axes[0]);
@@ -78,6 +80,7 @@ bool area_cover_make(area_cover *c, const pov_outline *solid, pov_vec3 from, pov
 
     c->slabs = solid->slabs;
     c->round = solid->round;
+    c->near = 0;
     c->outside = c->apart = false;
     for (uint32_t i = 0; i < solid->slabs; i++)
         thick = thick && add_slab(c, solid, i, &v, &c->outside);

@@ -15,6 +15,7 @@ typedef struct area_cover {
     uint32_t slabs;
     bool round;
     bool outside;                /* the point certainly is outside */
+    uint32_t near;               /* surfaces of slabs and of the quadric that the point is not certainly within */
     bool apart;                  /* and beyond the quadric, by more than all roundings */
 } area_cover;
 

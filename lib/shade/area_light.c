@@ -15,21 +15,29 @@ static bool needs_rays(const scene_light *from)
     return from->grid->count < VIEW_FROM || from->class->parallel || from->light->through_count > 0 || (from->light->flags & LIGHT_ATTENUATED);
 }
 
+static area_start start_of(const lighting *l, uint32_t lane)
+{
+    const shade_context *c = l->context;
+    const surface *s = &l->on->at[lane];
+    const area_start out = { s->at, lanes_at(&l->on->geometry.to.normal, lane), s->coincident ? &c->coincident_sets.items[s->coincident - 1] : NULL,
+                             !c->scene->plan->located && !c->scene->plan->media && !c->blocks };
+
+    return out;
+}
+
 /* Views by ray; `open`: rays from which something may hide a part of the light. The others get all of it or nothing; *lit:
  * those that do. */
 static uint32_t find_views(const lighting *l, const scene_light *from, const vec_lanes *to, area_view *views, uint8_t *open,
                            uint64_t *lit, colour *through)
 {
     const float sum = from->grid->sum;
-    const geometry *g = &l->on->geometry;
     uint32_t n = 0;
 
     for (uint32_t i = 0; i < l->count; i++) {
-        const uint32_t lane = l->of[i];
+        const area_start start = start_of(l, l->of[i]);
         bool is_clear;
 
-        area_view_find(l->context->scene, from, l->on->at[lane].at, lanes_at(&g->to.normal, lane), lanes_at(to, lane),
-                       &views[i]);
+        area_view_find(l->context->scene, from, &start, lanes_at(to, l->of[i]), &views[i]);
         is_clear = !views[i].dark && views[i].count == 0;
         through[i] = is_clear ? colour_of(sum, sum, sum) : colour_of(0.0f, 0.0f, 0.0f);
         *lit |= (uint64_t)is_clear << i;
@@ -41,8 +49,9 @@ static uint32_t find_views(const lighting *l, const scene_light *from, const vec
 
 /* ---- rays to points ---- */
 
-/* By ray, of points that follow one another, those that nothing hides, and those that it takes a ray to tell. */
-typedef struct area_bits { uint64_t lit[BATCH_MAX], open[BATCH_MAX]; } area_bits;
+/* By ray, of points that follow one another, those that nothing hides, those that it takes a ray to tell, and those whose light is dimmed
+ * alike, which one ray tells: to `first`, and what it found. */
+typedef struct area_bits { uint64_t lit[BATCH_MAX], open[BATCH_MAX], alike[BATCH_MAX]; uint32_t first[BATCH_MAX]; colour left[BATCH_MAX]; } area_bits;
 
 /* The light of all points, by ray: those of l->seen. */
 typedef struct area_tracing {
@@ -58,18 +67,36 @@ typedef struct area_tracing {
     uint32_t point[BATCH_MAX];
 } area_tracing;
 
-/* Add the points before this bit that nothing hides: points are added in their order. */
-static void add_lit(area_tracing *t, uint32_t i, uint32_t bit)
+static void add_point(area_tracing *t, uint32_t i, uint32_t k, colour left)
 {
-    const uint64_t before = bit < AREA_PARTS ? ((uint64_t)1 << bit) - 1 : ~(uint64_t)0;
+    t->through[i] = colour_add(t->through[i], colour_scale(left, t->from->grid->points[k].weight));
+    t->lit |= (uint64_t)1 << i;
+}
 
-    for (uint64_t rest = t->bits.lit[i] & before; rest; rest &= rest - 1) {
-        const float weight = t->from->grid->points[t->first + first_of64(rest)].weight;
+/* Add the points before this bit that took no ray: points are added in their order. */
+static void add_known(area_tracing *t, uint32_t i, uint32_t bit)
+{
+    const uint64_t before = bit < AREA_PARTS ? ((uint64_t)1 << bit) - 1 : ~(uint64_t)0, alike = t->bits.alike[i];
 
-        t->through[i] = colour_add(t->through[i], colour_of(weight, weight, weight));
-        t->lit |= (uint64_t)1 << i;
+    for (uint64_t rest = (t->bits.lit[i] | alike) & before; rest; rest &= rest - 1) {
+        const uint32_t k = first_of64(rest);
+
+        add_point(t, i, t->first + k, alike >> k & 1 ? t->bits.left[i] : colour_of(1.0f, 1.0f, 1.0f));
     }
     t->bits.lit[i] &= ~before;
+    t->bits.alike[i] &= ~before;
+}
+
+/* What the ray to a point found. */
+static void add_traced(area_tracing *t, uint32_t i, uint32_t k, bool lit, colour left)
+{
+    add_known(t, i, k - t->first);
+    if (lit)
+        add_point(t, i, k, left);
+    if (k != t->bits.first[i])
+        return;
+    t->bits.left[i] = left;
+    t->bits.alike[i] = lit ? t->bits.alike[i] : 0;
 }
 
 /* Their starts close together: what fills up a vector is the last one. */
@@ -121,15 +148,8 @@ static void trace_rays(area_tracing *t)
     put_rays(t, own, ends);
     lit = shadow_trace(l, t->from->light, end, some);
     l->own = before;
-    for (uint32_t n = 0; n < t->count; n++) {
-        const uint32_t i = t->which[n];
-
-        add_lit(t, i, t->point[n] - t->first);
-        if (!(lit >> n & 1))
-            continue;
-        t->through[i] = colour_add(t->through[i], colour_scale(some[n], t->from->grid->points[t->point[n]].weight));
-        t->lit |= (uint64_t)1 << i;
-    }
+    for (uint32_t n = 0; n < t->count; n++)
+        add_traced(t, t->which[n], t->point[n], lit >> n & 1, some[n]);
     t->count = 0;
 }
 
@@ -156,7 +176,17 @@ static void trace_points(area_tracing *t, const uint8_t *open, uint32_t count)
     if (t->count > 0)
         trace_rays(t);
     for (uint32_t n = 0; n < count; n++)
-        add_lit(t, open[n], AREA_PARTS);
+        add_known(t, open[n], AREA_PARTS);
+}
+
+static void put_bits(area_bits *b, uint32_t i, uint32_t first, area_states s)
+{
+    const uint64_t told = s.alike & (s.alike - 1);
+
+    b->lit[i] = s.lit;
+    b->open[i] = s.open & ~told;
+    b->alike[i] = told;
+    b->first[i] = s.alike ? first + first_of64(s.alike) : UINT32_MAX;
 }
 
 static void find_bits(area_tracing *t, const area_view *views, const uint8_t *open, uint32_t count)
@@ -165,20 +195,20 @@ static void find_bits(area_tracing *t, const area_view *views, const uint8_t *op
 
     area_parts_find(t->from->grid, t->first, &parts);
     for (uint32_t n = 0; n < count; n++)
-        t->bits.open[open[n]] = area_view_open(&views[open[n]], &parts, &t->bits.lit[open[n]]);
+        put_bits(&t->bits, open[n], t->first, area_view_open(&views[open[n]], &parts));
 }
 
 /* All rays to all points. */
 static void trace_all(area_tracing *t)
 {
+    const area_states open = { ~(uint64_t)0, 0, 0 };
     const uint32_t count = t->l->count;
     uint8_t all[BATCH_MAX];
 
     for (uint32_t i = 0; i < count; i++) {
         all[i] = (uint8_t)i;
         t->through[i] = colour_of(0.0f, 0.0f, 0.0f);
-        t->bits.open[i] = ~(uint64_t)0;
-        t->bits.lit[i] = 0;
+        put_bits(&t->bits, i, 0, open);
     }
     for (; t->first < t->from->grid->count; t->first += AREA_PARTS)
         trace_points(t, all, count);

@@ -185,12 +185,63 @@ static bool holds(const plane *p, const shaft *s, const blocker *b)
 
 /* ---- all of it ---- */
 
-typedef struct finding { plane plane; grid_part all; shaft shaft; area_view *out; } finding;
+typedef struct finding { plane plane; grid_part all; shaft shaft; const area_start *start; area_view *out; } finding;
+
+/* The side of a normal that all of the shaft goes to, with more than the errors of roundings; 0: that is in doubt. */
+static int side_of(const shaft *s, pov_vec3 normal)
+{
+    bool up = true, down = true;
+
+    for (int i = 0; i < 4; i++) {
+        const double along = pov_dot(s->corner[i], normal), least = WORLD_GRAZING * sum_of(s->corner[i]);
+
+        up = up && along > least;
+        down = down && -along > least;
+    }
+    return (up ? 1 : 0) - (down ? 1 : 0);
+}
+
+/* Do all rays stay in the object, which they start on, and cross no other surface at once? */
+static bool is_within(const finding *f, uint32_t object)
+{
+    const area_start *s = f->start;
+    bool within = false;
+
+    if (!s->on)
+        return s->at->object == object && side_of(&f->shaft, s->normal) == (s->at->outside ? -1 : 1);
+    for (uint32_t i = 0; i < s->on->count; i++) {
+        const bool above = s->on->above >> i & 1;
+
+        if (side_of(&f->shaft, s->on->at[i].normal) != (above ? 1 : -1))
+            return false;
+        within = within || (s->on->at[i].object == object && !above);
+    }
+    return within;
+}
+
+/* Is all of the light outside of a box? */
+static bool is_beyond(const finding *f, const pov_box *b)
+{
+    const pov_vec3 from = f->plane.from, *corner = f->shaft.corner;
+    const double gap = near_by * f->plane.size;
+    bool beyond[6] = { true, true, true, true, true, true };
+
+    for (int i = 0; i < 4; i++) {
+        const pov_vec3 p = pov_add(from, corner[i]);
+        const bool at[6] = { p.x > b->hi.x + gap, p.y > b->hi.y + gap, p.z > b->hi.z + gap, p.x < b->lo.x - gap, p.y < b->lo.y - gap, p.z < b->lo.z - gap };
+
+        for (int k = 0; k < 6; k++)
+            beyond[k] = beyond[k] && at[k];
+    }
+    return beyond[0] || beyond[1] || beyond[2] || beyond[3] || beyond[4] || beyond[5];
+}
 
 static void find_cover(const finding *f, const blocker *b, area_shadow *out)
 {
     out->outlined = b->outlined && area_cover_make(&out->cover, &b->solid, f->plane.from, f->plane.to, f->plane.axes);
     out->hides = out->outlined && b->hides;
+    out->dims = out->outlined && b->dims && f->start->alike && is_beyond(f, &b->box);
+    out->leaves = out->dims && out->cover.near == 1 && is_within(f, b->object);
     out->tree = b->tree;
 }
 
@@ -212,18 +263,12 @@ static bool add_blocker(void *user, const blocker *b)
     return true;
 }
 
-/* The object that all rays to these corners leave, and whether outward, as world_origin_aim() has it. */
-static departure find_left(const hit *h, pov_vec3 normal, const pov_vec3 corner[4])
+/* The object that all rays leave, and whether outward, as world_origin_aim() has it. */
+static departure find_left(const finding *f)
 {
-    bool up = true, down = true;
+    const hit *h = f->start->at;
 
-    for (int i = 0; i < 4; i++) {
-        const double along = pov_dot(corner[i], normal), least = WORLD_GRAZING * sum_of(corner[i]);
-
-        up = up && along > least;
-        down = down && -along > least;
-    }
-    return (departure){ h->object, h->outside ? up : down };
+    return (departure){ h->object, side_of(&f->shaft, f->start->normal) == (h->outside ? 1 : -1) };
 }
 
 static bool make_shaft(const plane *p, const grid_part *all, shaft *s)
@@ -246,18 +291,18 @@ static void hide_all(area_view *out)
     for (uint32_t i = 0; i < out->count; i++)
         out->shadows[i].hides = out->shadows[i].hides && !out->shadows[i].tree;
     s->part = (grid_part){ { -HUGE_VAL, -HUGE_VAL }, { HUGE_VAL, HUGE_VAL } };
-    s->outlined = s->hides = false;
+    s->outlined = s->hides = s->dims = s->leaves = false;
     s->tree = 0;
 }
 
-void area_view_find(const shading *scene, const scene_light *from, const hit *h, pov_vec3 normal, pov_vec3 to, area_view *out)
+void area_view_find(const shading *scene, const scene_light *from, const area_start *start, pov_vec3 to, area_view *out)
 {
-    finding f = { .all = from->grid->all, .out = out };
+    finding f = { .all = from->grid->all, .start = start, .out = out };
 
     out->dark = false;
     out->count = 0;
-    if ((!make_plane(from->light, h->point, to, &f.plane) || !make_shaft(&f.plane, &f.all, &f.shaft) ||
-         !query_blockers(scene->world, &f.shaft, find_left(h, normal, f.shaft.corner), add_blocker, &f)) && !out->dark)
+    if ((!make_plane(from->light, start->at->point, to, &f.plane) || !make_shaft(&f.plane, &f.all, &f.shaft) ||
+         !query_blockers(scene->world, &f.shaft, find_left(&f), add_blocker, &f)) && !out->dark)
         hide_all(out);
 }
 
@@ -281,15 +326,27 @@ static uint64_t hidden_of(const area_view *v, uint32_t i, const area_parts *part
     return which ? area_cover_hides_of(&v->shadows[i].cover, parts, which) : 0;
 }
 
-uint64_t area_view_open(const area_view *v, const area_parts *parts, uint64_t *lit)
+/* Of these parts, those that all segments to cross the i-th shadow's solid, twice, or once on their way out, and nothing else. */
+static uint64_t alike_of(const area_view *v, uint32_t i, const area_parts *parts, const uint64_t *may, uint64_t which)
 {
-    uint64_t open = 0, may[AREA_VIEW_MAX];
+    for (uint32_t k = 0; k < v->count; k++)
+        which &= k == i ? may[k] : ~may[k];
+    return which && !v->shadows[i].leaves ? area_cover_hides_of(&v->shadows[i].cover, parts, which) : which;
+}
+
+area_states area_view_open(const area_view *v, const area_parts *parts)
+{
+    area_states out = { 0, 0, 0 };
+    uint64_t may[AREA_VIEW_MAX];
 
     for (uint32_t i = 0; i < v->count; i++)
-        open |= may[i] = open_of(&v->shadows[i], parts);
-    *lit = area_parts_all(parts) & ~open;
-    for (uint32_t i = 0; open && i < v->count; i++)
+        out.open |= may[i] = open_of(&v->shadows[i], parts);
+    out.lit = area_parts_all(parts) & ~out.open;
+    for (uint32_t i = 0; out.open && i < v->count; i++)
         if (v->shadows[i].hides)
-            open &= ~hidden_of(v, i, parts, may, open);
-    return open;
+            out.open &= ~hidden_of(v, i, parts, may, out.open);
+    for (uint32_t i = 0; out.open && i < v->count && !out.alike; i++)
+        if (v->shadows[i].dims)
+            out.alike = alike_of(v, i, parts, may, out.open);
+    return out;
 }

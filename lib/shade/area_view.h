@@ -8,17 +8,27 @@
 
 /* A part of the light's grid that something may hide, and the solid that does, where that is known; hides: it certainly does, or if it is
  * of a tree, where no other shadow of that may lie. */
-typedef struct area_shadow { grid_part part; bool outlined, hides; uint32_t tree; area_cover cover; } area_shadow;
+typedef struct area_shadow {
+    grid_part part;
+    bool outlined, hides;
+    bool dims, leaves;           /* what crosses it is dimmed alike; and all rays do, once, on their way out of it */
+    uint32_t tree;
+    area_cover cover;
+} area_shadow;
 
 /* dark: something hides all of the light. */
 enum { AREA_VIEW_MAX = 6 };
 typedef struct area_view { bool dark; uint32_t count; area_shadow shadows[AREA_VIEW_MAX]; } area_view;
 
-/* h: a completed hit; normal: the geometric one there, unit, which faces the ray's start; to: the direction to the light's
- * position. */
-void area_view_find(const shading *scene, const scene_light *from, const hit *h, pov_vec3 normal, pov_vec3 to, area_view *out);
+/* Where it is seen from: at a completed hit, with the geometric normal there, unit, which faces the ray's start, on coincident surfaces or
+ * NULL. alike: nothing dims light but the surfaces that it crosses. */
+typedef struct area_start { const hit *at; pov_vec3 normal; const coincident_set *on; bool alike; } area_start;
+/* to: the direction to the light's position. */
+void area_view_find(const shading *scene, const scene_light *from, const area_start *start, pov_vec3 to, area_view *out);
 
-/* Of parts of the grid, bit by bit, those that something may hide, and what nothing hides for certain of these. */
-uint64_t area_view_open(const area_view *v, const area_parts *parts, uint64_t *lit);
+/* Parts of the grid, bit by bit: those that something may hide, those that nothing hides for certain, and of the first some whose light is
+ * dimmed alike. */
+typedef struct area_states { uint64_t open, lit, alike; } area_states;
+area_states area_view_open(const area_view *v, const area_parts *parts);
 
 #endif

@@ -108,6 +108,19 @@ static void glass_and_what_casts_no_shadow(void **state)
     assert_alike(FLOOR "sphere { <0,.7,0>, .6 no_shadow" MATT "sphere { <1.2,.7,0>, .5 no_image pigment { checker rgb 1 rgbt <1,1,1,.7> scale .2 } }");
 }
 
+/* All of the light that crosses one solid of glass and nothing else is dimmed alike: on its way out of it too, and out of the floor. */
+#define GLASS " pigment { rgbf <.9,.7,.5,.8> } finish { ambient 0 diffuse 0 } }\n"
+
+static void solids_of_glass_that_light_crosses(void **state)
+{
+    (void)state;
+    assert_alike(FLOOR "box { <-1.5,0,-.6>, <.2,1,.7>" GLASS "cylinder { <1,0,0>, <1,1.2,0>, .5" GLASS "sphere { <0,2,1>, .4" MATT);
+    assert_alike(SLAB "box { -.6, .6 rotate <0,30,0> translate <0,.6,0>" GLASS "box { <-.2,.3,-1>, <1.8,.6,.4>" GLASS "sphere { <-1.4,.5,0>, .5" GLASS);
+    assert_alike(FLOOR "box { <-1.5,0,-.6>, <.2,1,.7>" GLASS "box { <-1.5,0,-.6>, <.2,.4,.2>" GLASS "cylinder { <1,0,0>, <1,1.2,0>, .5 open" GLASS);
+    assert_alike(FLOOR "sphere { <3,5,-2>, .5" GLASS "sphere { <3,4.5,-2>, 1.6" GLASS);
+    assert_alike(FLOOR "box { <-5,0,-5>, <5,4.9,5>" GLASS "sphere { <0,1,0>, .8" GLASS);
+}
+
 static void a_room_with_the_light_in_it(void **state)
 {
     (void)state;
@@ -240,6 +253,7 @@ int main(void)
         cmocka_unit_test(solids_made_of_others_and_meshes),
         cmocka_unit_test(rooms_made_of_planes),
         cmocka_unit_test(glass_and_what_casts_no_shadow),
+        cmocka_unit_test(solids_of_glass_that_light_crosses),
         cmocka_unit_test(a_room_with_the_light_in_it),
         cmocka_unit_test(parallel_spotlights_shine_ahead),
         cmocka_unit_test(points_that_turn_have_cones_of_their_own),
