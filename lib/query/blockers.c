@@ -95,6 +95,18 @@ static const csg_member *body_of(const csg_tree *t)
     return &t->members[t->chords.member[first_of(within)]];
 }
 
+/* A solid that what a member shows lies within. */
+static bool find_clip(const csg_tree *t, const csg_member *m, pov_outline *out)
+{
+    for (uint32_t i = 0; i < t->member_count; i++) {
+        const csg_member *other = &t->members[i];
+
+        if (is_within(t, m, other) && other->boxed && find_outline(other->shape, other->instance, other->xform, out))
+            return true;
+    }
+    return false;
+}
+
 /* What a member of a tree shows of its surface lies in the tree's box too. body: the member of which what is in no other one stops light. */
 static bool add_member(const asking *a, const csg_tree *t, const csg_member *m, const csg_member *body)
 {
@@ -111,6 +123,8 @@ static bool add_member(const asking *a, const csg_tree *t, const csg_member *m, 
         return true;
     b.outlined = m->boxed && find_outline(m->shape, m->instance, m->xform, &b.solid);
     b.hides = b.outlined && m == body;
+    b.object = m->leaf;
+    b.clipped = b.outlined && m->leaf == a->left[0].object && find_clip(t, m, &b.clip);
     return a->add(a->user, &b);
 }
 

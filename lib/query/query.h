@@ -66,9 +66,10 @@ typedef struct blocker {
     bool is_plane;
     bool outlined, hides;        /* its surface lies on that of `solid`, in the world; all of its inside stops light, and is convex */
     bool dims;                   /* it is such a solid of which each crossing leaves the same part of light */
-    uint32_t object;             /* then */
+    uint32_t object;             /* then, or of a member: its leaf */
+    bool clipped;                /* it shows within this only: `clip`, in the world */
     uint32_t tree;               /* not 0: it is a member of this tree. What hides is then all that is in no other member of it. */
-    pov_outline solid;
+    pov_outline solid, clip;
 } blocker;
 
 /* The object whose surface all rays of a shaft start on; outward: they leave to the side of its own normals. */

@@ -322,6 +322,63 @@ bool area_cover_misses(const area_cover *c, const grid_part *part)
     return area_cover_misses_of(c, &one, 1) != 0;
 }
 
+/* ---- a solid that is left late ---- */
+
+/* Bounds of number . (1, u, v) over a part. */
+static void bound(const double number[3], const grid_part *p, double out[2])
+{
+    const double off = roundings * (fabs(number[0]) + fabs(number[1]) + fabs(number[2]));
+
+    out[0] = number[0] - off;
+    out[1] = number[0] + off;
+    for (int axis = 0; axis < 2; axis++) {
+        const double a = number[1 + axis] * p->lo[axis], b = number[1 + axis] * p->hi[axis];
+
+        out[0] += fmin(a, b);
+        out[1] += fmax(a, b);
+    }
+}
+
+/* When all have left its slabs at the latest, from within. */
+static double latest(const area_cover *c, const grid_part *p)
+{
+    double last = HUGE_VAL, rate[2];
+
+    for (uint32_t i = 0; i < c->slabs; i++) {
+        bound(c->rate[i], p, rate);
+        last = rate[0] > 0.0 ? fmin(last, c->wide_hi[i] / rate[0]) : rate[1] < 0.0 ? fmin(last, c->wide_lo[i] / rate[1]) : last;
+    }
+    return last;
+}
+
+/* When the first can leave a slab that it is within, and when the quadric that it starts on: its other root is 2 along / square then, but for
+ * what little the start is off it. */
+static double earliest(const area_cover *c, const grid_part *p)
+{
+    const double *s = c->square;
+    const double most_u = fmax(fabs(p->lo[0]), fabs(p->hi[0])), most_v = fmax(fabs(p->lo[1]), fabs(p->hi[1]));
+    const double more = fabs(s[1]) * most_u + fabs(s[2]) * most_v + fabs(s[3]) * most_u * most_u + fabs(s[4]) * most_v * most_v + fabs(s[5]) * most_u * most_v;
+    const double square = s[0] + more + roundings * (fabs(s[0]) + more);
+    double first = HUGE_VAL, rate[2], along[2];
+
+    for (uint32_t i = 0; i < c->slabs; i++) {
+        bound(c->rate[i], p, rate);
+        if (rate[1] > 0.0)
+            first = fmin(first, c->hi[i] / rate[1]);
+        if (rate[0] < 0.0)
+            first = fmin(first, c->lo[i] / rate[0]);
+    }
+    bound(c->along, p, along);
+    if (!(along[1] < 0.0 && square > 0.0 && c->constant * square < (1.0 - end) * along[1] * along[1]))
+        return 0.0;
+    return fmin(first, -2.0 * end * along[1] / square);
+}
+
+bool area_cover_holds(const area_cover *c, const area_cover *other, const grid_part *part)
+{
+    return c->round && c->near == 1 && !(c->constant < 0.0) && latest(other, part) < end * earliest(c, part);
+}
+
 /* ---- parts of a grid ---- */
 
 void area_parts_find(const light_grid *g, uint32_t k, area_parts *out)

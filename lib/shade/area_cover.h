@@ -27,6 +27,10 @@ bool area_cover_hides(const area_cover *c, const grid_part *part);
 /* Do all of them certainly pass its surface? */
 bool area_cover_misses(const area_cover *c, const grid_part *part);
 
+/* Do all rays to places of the part, which start on the solid's surface, and on no other of its surfaces, and go inward, stay within it until
+ * they have left the other solid, from the same point? */
+bool area_cover_holds(const area_cover *c, const area_cover *other, const grid_part *part);
+
 /* Parts side by side, in whole vectors; points: each is one place. */
 enum { AREA_PARTS = 64 };
 typedef struct area_parts { SIMD_ALIGNED double lo[2][AREA_PARTS], hi[2][AREA_PARTS]; uint32_t count; bool points; } area_parts;

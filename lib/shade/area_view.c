@@ -245,6 +245,16 @@ static void find_cover(const finding *f, const blocker *b, area_shadow *out)
     out->tree = b->tree;
 }
 
+/* Do all rays start on a member's surface, and leave what it shows within before they meet it again? */
+static bool leaves_clip(const finding *f, const blocker *b, const area_shadow *s)
+{
+    const area_start *start = f->start;
+    area_cover clip;
+
+    return b->clipped && s->outlined && !start->on && start->at->object == b->object &&
+           area_cover_make(&clip, &b->clip, f->plane.from, f->plane.to, f->plane.axes) && area_cover_holds(&s->cover, &clip, &f->all);
+}
+
 static bool add_blocker(void *user, const blocker *b)
 {
     finding *f = user;
@@ -254,7 +264,7 @@ static bool add_blocker(void *user, const blocker *b)
     if (!grid_parts_overlap(&s.part, &f->all) || holds(&f->plane, &f->shaft, b))
         return true;
     find_cover(f, b, &s);
-    if (s.outlined && area_cover_misses(&s.cover, &f->all))
+    if ((s.outlined && area_cover_misses(&s.cover, &f->all)) || leaves_clip(f, b, &s))
         return true;
     out->dark = s.hides && !s.tree && area_cover_hides(&s.cover, &f->all);
     if (out->dark || out->count == AREA_VIEW_MAX)

@@ -108,6 +108,21 @@ static void glass_and_what_casts_no_shadow(void **state)
     assert_alike(FLOOR "sphere { <0,.7,0>, .6 no_shadow" MATT "sphere { <1.2,.7,0>, .5 no_image pigment { checker rgb 1 rgbt <1,1,1,.7> scale .2 } }");
 }
 
+/* Light leaves the box that clips a curved wall before it can come upon the wall again, or it does not. */
+static void curved_walls_that_are_clipped(void **state)
+{
+    static const char *const walls[] = { "cylinder { -9*x, 9*x, 3 } clipped_by { box { <-9,-3,0>, <9,0,3> } }", "cylinder { -9*x, 9*x, 3 } clipped_by { box { <-9,-3,-3>, <9,-1,3> } }",
+                                         "cylinder { -9*x, 9*x, 2 } clipped_by { box { <-9,-3,-1.7>, <9,1.9,3> } }" };
+
+    (void)state;
+    for (size_t i = 0; i < sizeof walls / sizeof walls[0]; i++) {
+        char body[512];
+
+        snprintf(body, sizeof body, "object { %s translate <0,3.1,0> pigment { rgb .8 }" LIT FLOOR, walls[i]);
+        assert_alike(body);
+    }
+}
+
 /* All of the light that crosses one solid of glass and nothing else is dimmed alike: on its way out of it too, and out of the floor. */
 #define GLASS " pigment { rgbf <.9,.7,.5,.8> } finish { ambient 0 diffuse 0 } }\n"
 
@@ -253,6 +268,7 @@ int main(void)
         cmocka_unit_test(solids_made_of_others_and_meshes),
         cmocka_unit_test(rooms_made_of_planes),
         cmocka_unit_test(glass_and_what_casts_no_shadow),
+        cmocka_unit_test(curved_walls_that_are_clipped),
         cmocka_unit_test(solids_of_glass_that_light_crosses),
         cmocka_unit_test(a_room_with_the_light_in_it),
         cmocka_unit_test(parallel_spotlights_shine_ahead),
