@@ -209,16 +209,42 @@ bool shaft_may_overlap(const shaft *s, const pov_box *box)
     return !is_beyond(s, 0, &both, size) && !is_beyond(s, 1, &both, size) && !is_beyond(s, 2, &both, size) && !is_beyond(s, 3, &both, size);
 }
 
-bool shaft_may_cross(const shaft *s, pov_vec3 normal, double distance)
+/* Where the shaft lies, from a plane. */
+static void find_range(const shaft *s, pov_vec3 normal, double distance, double *least, double *most)
 {
-    const double above = pov_dot(normal, s->from) - distance, size = slack * (s->size + fabs(distance));
-    double least = above, most = above;
+    const double above = pov_dot(normal, s->from) - distance;
 
+    *least = *most = above;
     for (int i = 0; i < 4; i++) {
         const double at = above + pov_dot(normal, s->corner[i]);
 
-        least = lesser(least, at);
-        most = greater(most, at);
+        *least = lesser(*least, at);
+        *most = greater(*most, at);
     }
+}
+
+bool shaft_may_cross(const shaft *s, pov_vec3 normal, double distance)
+{
+    const double size = slack * (s->size + fabs(distance));
+    double least, most;
+
+    find_range(s, normal, distance, &least, &most);
     return !(least > size || -most > size);
+}
+
+bool shaft_may_overlap_triangle(const shaft *s, const pov_vec3 corner[3], pov_vec3 normal, bool touches)
+{
+    const double size = s->size + sum_of(corner[0]) + sum_of(corner[1]) + sum_of(corner[2]);
+    double least, most;
+
+    for (int i = 0; i < 4; i++) {
+        bool beyond = true;
+
+        for (int k = 0; k < 3; k++)
+            beyond = beyond && pov_dot(s->normal[i], pov_sub(corner[k], s->from)) > s->error[i] * size;
+        if (beyond)
+            return false;
+    }
+    find_range(s, normal, pov_dot(normal, corner[0]), &least, &most);
+    return touches ? !(least > slack * size || -most > slack * size) : least < -slack * size && most > slack * size;
 }

@@ -24,6 +24,8 @@ typedef bool shaft_leaf_fn(void *user, const void *leaf, const pov_box *box);
 bool shaft_search(const bvh *tree, const shaft *s, shaft_leaf_fn *leaf, void *user);
 /* May it overlap the box, whose coordinates are off by a few units in their last places? */
 bool shaft_may_overlap(const shaft *s, const pov_box *box);
+/* May it overlap a triangle with these corners and this unit normal? touches: it may if it ends or begins on the triangle's plane, too. */
+bool shaft_may_overlap_triangle(const shaft *s, const pov_vec3 corner[3], pov_vec3 normal, bool touches);
 /* May it overlap the plane normal . p = distance? The normal is a unit vector. */
 bool shaft_may_cross(const shaft *s, pov_vec3 normal, double distance);
 

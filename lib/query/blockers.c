@@ -12,14 +12,37 @@ typedef struct asking {
     void *user;
 } asking;
 
-/* Does no ray of the shaft meet the shape again, having started on it? */
-static bool is_left(const asking *a, const shape_class *shape, uint32_t object, bool is_plane)
+/* Is the end of the shaft that rays do not leave the convex shape from in it, too? Then they are all in it. self: in the world. */
+static bool is_around(const asking *a, int end, const shape_class *shape, const void *self)
 {
-    const bool convex = shape->flags & POV_SHAPE_CONVEX;
+    const pov_vec3 none = { 0.0, 0.0, 0.0 };
 
-    for (int i = 0; i < 2; i++)
-        if (object == a->left[i].object && (is_plane || (a->left[i].outward && convex)))
+    if (!self || !shape->inside)
+        return false;
+    if (end == 1)
+        return shape->inside(self, a->in->from, none);
+    for (int i = 0; i < 4; i++)
+        if (!shape->inside(self, pov_add(a->in->from, a->in->corner[i]), none))
+            return false;
+    return true;
+}
+
+/* A triangle, which is an object of its own. */
+static bool is_triangle(const shape_class *shape) { return (shape->flags & POV_SHAPE_CONVEX) && shape->face; }
+
+/* Does no ray of the shaft meet the shape again, having started on it? Chords of a convex one meet it at their ends only. self: in the
+ * world, or NULL. */
+static bool is_left(const asking *a, const shape_class *shape, const void *self, uint32_t object, bool is_plane)
+{
+    const bool convex = shape->flags & POV_SHAPE_CONVEX, chords = a->left[0].object == a->left[1].object;
+
+    for (int i = 0; i < 2; i++) {
+        if (object != a->left[i].object)
+            continue;
+        if (is_plane || is_triangle(shape) || (convex && (chords || a->left[i].outward)) ||
+            (convex && a->unseen && is_around(a, i, shape, self)))
             return true;
+    }
     return false;
 }
 
@@ -113,7 +136,7 @@ static bool add_member(const asking *a, const csg_tree *t, const csg_member *m, 
     blocker b = { .box = m->boxed ? m->box : t->box, .tree = t->members[0].leaf + 1 };
     const bool is_plane = !m->xform && !m->boxed && find_plane(m->shape, m->instance, &b.plane);
 
-    if (csg_is_unseen(m) || m->absent || is_left(a, m->shape, m->leaf, is_plane))
+    if (csg_is_unseen(m) || m->absent || is_left(a, m->shape, NULL, m->leaf, is_plane))
         return true;
     if (is_plane)
         return (t->boxed && !shaft_may_overlap(a->in, &t->box)) || add_plane(a, &b);
@@ -155,6 +178,14 @@ static bool is_whole(const leaf_batch *r, uint32_t lane)
     return (r->plain & 1u << lane) && (shape->flags & POV_SHAPE_CONVEX) && !(shape->open && shape->open(leaf_batch_instance(r, lane)));
 }
 
+/* May the shaft overlap a triangle in its box? */
+static bool may_overlap_face(const asking *a, const shape_class *shape, const void *self)
+{
+    pov_face f;
+
+    return !is_triangle(shape) || !shape->face(self, 0, &f) || shaft_may_overlap_triangle(a->in, f.corners, f.normal, !a->unseen);
+}
+
 /* The shape's own box, or else the leaf's. */
 static bool add_boxed(const asking *a, const leaf_batch *r, uint32_t lane, const pov_box *leaf)
 {
@@ -167,6 +198,8 @@ static bool add_boxed(const asking *a, const leaf_batch *r, uint32_t lane, const
         r->shape->bounds(leaf_batch_instance(r, lane), &b.box)) {
         b.is_box = flags & POV_SHAPE_BOX;
         b.is_sphere = flags & POV_SHAPE_SPHERE;
+        if (!may_overlap_face(a, r->shape, leaf_batch_instance(r, lane)))
+            return true;
     } else if (leaf) {
         b.box = *leaf;
     } else {
@@ -190,7 +223,7 @@ static bool add_shape(const asking *a, const leaf_batch *r, uint32_t lane, const
     blocker b = { .is_box = false };
     const bool is_plane = !leaf && !(r->flags & LEAF_INSTANCED) && find_plane(r->shape, leaf_batch_instance(r, lane), &b.plane);
 
-    if (is_left(a, r->shape, r->object[lane], is_plane))
+    if (is_left(a, r->shape, (r->flags & LEAF_INSTANCED) ? NULL : leaf_batch_instance(r, lane), r->object[lane], is_plane))
         return true;
     if (is_plane)
         return add_plane(a, &b);

@@ -8,7 +8,11 @@
 
 enum { MESHES_MAX = 4096, ROWS_MAX = 1024 };
 
-static bool has_faces(const object_parsed *o) { return o->kind == OBJECT_LEAF && o->leaf.shape->face != NULL; }
+/* A triangle that is an object of its own is no mesh. */
+static bool has_faces(const object_parsed *o)
+{
+    return o->kind == OBJECT_LEAF && o->leaf.shape->face != NULL && !(o->leaf.shape->flags & POV_SHAPE_CONVEX);
+}
 
 static bool next_mesh(pov_reader *in, object_parsed *o)
 {

@@ -28,6 +28,19 @@ bool common_triangle_bounds(const void *self, pov_box *out)
     return true;
 }
 
+bool common_triangle_face(const void *self, uint32_t number, pov_face *out)
+{
+    const common_triangle *t = self;
+    const double back = common_inverse(t->scale);
+
+    if (number > 0)
+        return false;
+    *out = (pov_face){ .normal = t->normal, .normals = { t->normal, t->normal, t->normal } };
+    for (int i = 0; i < 3; i++)
+        out->corners[i] = pov_scale(t->corner[i], back);
+    return true;
+}
+
 /* ---- rays ---- */
 
 void common_triangle_intersect(const void *self, const pov_ray *ray, pov_hits *hits)

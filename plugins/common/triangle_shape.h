@@ -20,6 +20,7 @@ bool common_triangle_blend(const pov_vec3 normal[3], const double share[3], pov_
 
 /* Functions of the class. */
 bool common_triangle_bounds(const void *self, pov_box *out);
+bool common_triangle_face(const void *self, uint32_t number, pov_face *out);
 void common_triangle_intersect(const void *self, const pov_ray *ray, pov_hits *hits);
 void common_triangle_plane_normal(const void *self, const pov_ray *ray, const pov_crossing *at, pov_vec3 *out);
 uint32_t common_triangle_shading_normals(const void *self, pov_vec3 point, pov_vec3 point_lo, const pov_mark *mark,

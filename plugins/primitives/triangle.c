@@ -37,6 +37,7 @@ static const pov_shape_class triangle_class = {
     .intersect = common_triangle_intersect,
     .normal = common_triangle_plane_normal,
     .extension = extension,
+    .face = common_triangle_face,
 };
 
 static const pov_shape_class *const shapes[] = { &triangle_class, NULL };

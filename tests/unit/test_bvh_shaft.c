@@ -135,6 +135,62 @@ static void a_plane_between_point_and_area_crosses_the_shaft_and_one_behind_does
     assert_false(shaft_may_cross(&s, up, 5.000001));
 }
 
+/* A triangle around a point of a shaft overlaps it; and no point of one that it misses is in one. */
+static void no_point_of_a_shaft_is_in_a_triangle_that_it_misses(void **state)
+{
+    int missed = 0, rounds = 0;
+    (void)state;
+
+    for (int round = 0; round < 60000; round++) {
+        const double scale = scales[round % 3];
+        const pov_vec3 place = round % 2 ? pov_scale(anywhere(1.0), 1e3 * scale) : pov_vec3_of(0.0, 0.0, 0.0);
+        pov_vec3 corner[3], middle, normal;
+        area a;
+
+        assert_true(make_area(&a, place, scale));
+        for (int i = 0; i < 3; i++)
+            corner[i] = pov_add(place, pov_scale(anywhere(4.0), scale));
+        if (round % 4 == 0) {
+            middle = pov_scale(pov_add(corner[0], pov_add(corner[1], corner[2])), 1.0 / 3.0);
+            for (int i = 0; i < 3; i++)
+                corner[i] = pov_add(corner[i], pov_sub(point_in(&a), middle));
+        }
+        normal = pov_unit(pov_cross_product(pov_sub(corner[1], corner[0]), pov_sub(corner[2], corner[0])));
+        rounds++;
+        if (shaft_may_overlap_triangle(&a.s, corner, normal, true))
+            continue;
+        missed++;
+        assert_false(shaft_may_overlap_triangle(&a.s, corner, normal, false));
+        for (int i = 0; i < 20; i++) {
+            const double u = uniform(0.0, 1.0), v = uniform(0.0, 1.0), x = u + v > 1.0 ? 1.0 - u : u, y = u + v > 1.0 ? 1.0 - v : v;
+            const pov_vec3 p = pov_add(corner[0], pov_add(pov_scale(pov_sub(corner[1], corner[0]), x), pov_scale(pov_sub(corner[2], corner[0]), y)));
+            const pov_vec3 d = pov_sub(p, a.from);
+            const double across = pov_dot(d, pov_cross_product(a.axes[0], a.axes[1])), whole = pov_dot(a.to, pov_cross_product(a.axes[0], a.axes[1]));
+            const pov_vec3 at = pov_sub(pov_scale(d, whole / across), a.to), n = pov_cross_product(a.axes[0], a.axes[1]);
+            const double right = pov_dot(pov_cross_product(at, a.axes[1]), n) / pov_dot(n, n), down = pov_dot(pov_cross_product(a.axes[0], at), n) / pov_dot(n, n);
+
+            assert_false(across / whole > 0.0 && across / whole < 1.0 && fabs(right) < 0.4999 && fabs(down) < 0.4999);
+        }
+    }
+    assert_true(missed > rounds / 4 && missed < rounds);
+}
+
+/* Planes of triangles, through the point and through the area. */
+static void a_triangle_in_whose_plane_a_shaft_ends_is_told_from_one_in_it(void **state)
+{
+    const pov_vec3 corner[4] = { { -1.0, 2.0, -1.0 }, { 1.0, 2.0, -1.0 }, { 1.0, 2.0, 1.0 }, { -1.0, 2.0, 1.0 } }, up = pov_vec3_of(0.0, 1.0, 0.0);
+    shaft s;
+
+    (void)state;
+    assert_true(shaft_make(&s, pov_vec3_of(0.0, 0.0, 0.0), corner));
+    for (int i = 0; i < 3; i++) {
+        const pov_vec3 at[3] = { { -9.0, i, -9.0 }, { 9.0, i, -9.0 }, { 0.0, i, 9.0 } };
+
+        assert_true(shaft_may_overlap_triangle(&s, at, up, true));
+        assert_int_equal(shaft_may_overlap_triangle(&s, at, up, false), i == 1);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -142,6 +198,8 @@ int main(void)
         cmocka_unit_test(a_box_around_a_point_of_a_shaft_overlaps_it),
         cmocka_unit_test(a_moved_shaft_overlaps_boxes_around_moved_points),
         cmocka_unit_test(a_plane_between_point_and_area_crosses_the_shaft_and_one_behind_does_not),
+        cmocka_unit_test(no_point_of_a_shaft_is_in_a_triangle_that_it_misses),
+        cmocka_unit_test(a_triangle_in_whose_plane_a_shaft_ends_is_told_from_one_in_it),
     };
 
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -199,7 +199,7 @@ typedef struct pov_shape_class {
      * part has that. */
     uint32_t (*textures)(const void *self, pov_vec3 point, pov_vec3 point_lo, const pov_mark *mark, uint32_t *which,
                          double *share);
-    /* [load] For shapes made of triangles: the face of this number, from 0, in the order of the text. False: there is none. */
+    /* [load] [render] For shapes made of triangles: the face of this number, from 0, in the order of the text. False: there is none. */
     bool (*face)(const void *self, uint32_t number, pov_face *out);
     /* [render] Is the front of the surface at a crossing, where interior_texture is not seen, the side that normal() points
      * away from? NULL: nowhere. */
