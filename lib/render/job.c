@@ -38,7 +38,8 @@ static pov_status make_parts(pov_job *job, int parts, pov_error *err)
     const settings *s = &job->settings;
 
     /* The tiles of parts are those of so many threads, whoever traces them. */
-    tiles_make(&job->tiles, s->crop.width, s->crop.height, parts > 0 ? parts : s->threads);
+    tiles_make(&job->tiles, s->crop.width, s->crop.height, parts > 0 ? parts : s->threads,
+               parts == 0 && job->scene && job->scene->plan->radiosity);
     if (!framebuffer_make(&job->framebuffer, job->env, &job->tiles, s->first_step) ||
         !tiles_sort(&job->tiles, job->env)) return err_set(err, POV_E_MEMORY,
                                                            "no memory for a picture of %d x %d pixels", s->crop.width,

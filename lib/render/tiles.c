@@ -11,10 +11,10 @@ static size_t count_of(int width, int height, int edge)
     return (size_t)parts(width, edge) * (size_t)parts(height, edge);
 }
 
-static int edge_of(int width, int height, int threads)
+static int edge_of(int width, int height, int threads, bool together)
 {
     /* At the end all threads wait for the last tile: with this many tiles it is a small part of each thread's work. */
-    const size_t many_for_one = 128;
+    const size_t many_for_one = together ? 4 : 128;
     int edge = TILE_EDGE_MAX;
 
     while (edge > TILE_EDGE_MIN && count_of(width, height, edge) / many_for_one < (size_t)threads)
@@ -34,11 +34,11 @@ static int ring_of(const tiles *t, uint32_t index)
     return from_x > from_y ? from_x : from_y;
 }
 
-void tiles_make(tiles *t, int width, int height, int threads)
+void tiles_make(tiles *t, int width, int height, int threads, bool together)
 {
     t->width = width;
     t->height = height;
-    t->edge = edge_of(width, height, threads);
+    t->edge = edge_of(width, height, threads, together);
     t->columns = parts(width, t->edge);
     t->rows = parts(height, t->edge);
     t->count = count_of(width, height, t->edge);

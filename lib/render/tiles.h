@@ -18,8 +18,8 @@ typedef struct tiles {
 } tiles;
 
 /* Choose tiles small enough that `threads` threads have even work to the end, and few enough to be cheap to hand
- * out. */
-void tiles_make(tiles *t, int width, int height, int threads);
+ * out. together: pixels have something to do with their neighbours, and every tile's edge costs. */
+void tiles_make(tiles *t, int width, int height, int threads, bool together);
 /* False: no memory. */
 bool tiles_sort(tiles *t, const env *e);
 /* Leave in the order only the tiles of the part-th of so many parts, which are spread evenly; it does not begin at the

@@ -1,6 +1,7 @@
 #include "render/worker.h"
 
 #include "render/job_state.h"
+#include "render/lend.h"
 #include "render/meter.h"
 #include "render/raygen.h"
 
@@ -17,6 +18,7 @@ bool worker_make(worker *w, pov_job *job, const env *e, int tile_edge)
 void worker_free(worker *w, const env *e)
 {
     tracer_destroy(w->tracer);
+    windows_free(w->windows, e);
     env_free(e, w->pixels);
 }
 
@@ -46,6 +48,7 @@ typedef struct packet {
     raygen_screen through;
     float *out[BATCH_MAX];
     sample_id samples[BATCH_MAX];   /* if plan->random */
+    lent_light lent[BATCH_MAX];  /* if the worker lends */
     SIMD_ALIGNED pov_ray rays[BATCH_MAX];
 } packet;
 
@@ -99,8 +102,15 @@ static void trace_packet(worker *w, const settings *s, packet *c)
     unsigned known;
 
     number_samples(w, s, c);
+    for (uint32_t i = 0; w->lends && i < c->count; i++) {
+        const int at = (int)(c->out[i] - w->pixels) / 4;
+
+        c->lent[i] = windows_at(w->windows, at % w->claim.rect.width, at / w->claim.rect.width);
+    }
+    w->tracer->context.lent = w->lends ? c->lent : NULL;
     known = raygen_cast(w->job->scene->model, &w->claim.camera, &c->through, c->count, c->rays);
     tracer_colors(w->tracer, c->rays, c->count, known, c->samples, seen, s->alpha ? alpha : NULL);
+    w->tracer->context.lent = NULL;
     for (uint32_t i = 0; i < c->count; i++) {
         const float at[4] = { seen[i].r, seen[i].g, seen[i].b, 1.0f };
 
@@ -213,6 +223,9 @@ bool worker_trace(worker *w, const settings *s)
     if (w->job->scene->plan->radiosity && edge > TILE_EDGE_MIN)
         edge = TILE_EDGE_MIN;
     meter_begin(w->meter);
+    w->lends = false;
+    if (c->lattice.step == 1 && !lend_find(w, s))
+        return false;
     for (int y = 0; y < c->rect.height; y += edge)
         for (int x = 0; x < c->rect.width; x += colours * edge) {
             for (int i = 0; i < colours; i++)

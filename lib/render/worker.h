@@ -7,6 +7,7 @@
 #include "render/settings.h"
 #include "render/tiles.h"
 #include "shade/tracer.h"
+#include "shade/window.h"
 
 /* The work that a worker has claimed: a pass over a tile, with the job's settings at that moment. */
 typedef struct claim {
@@ -28,6 +29,8 @@ typedef struct worker {
     claim claim;
     float *pixels;               /* of the tile, row by row */
     refinement *refinement;      /* the job's to make and free; NULL when a pixel has one sample */
+    windows *windows;            /* of the tile's first samples; NULL until some lend */
+    bool lends;                  /* they do */
     meter *meter;                /* the job allocates and frees it; NULL: not requested */
     pov_counts counted;          /* counts of the tracer that earlier tiles have already added */
     double spent;                /* seconds of its thread that were already added */

@@ -15,6 +15,9 @@ struct photon_view;
 
 typedef struct coincident_stack { coincident_set *items; size_t count, capacity; } coincident_stack;
 
+/* Light that the first surface of a camera ray gathers: see window.h. */
+typedef struct lent_light { colour light; bool known; } lent_light;
+
 typedef struct shade_context {
     const env *env;
     const shading *scene;
@@ -22,6 +25,7 @@ typedef struct shade_context {
     float *alpha;                /* by lane of the camera ray: how much of the background it hides; NULL: the background is
                                   * opaque */
     const sample_id *samples;    /* by lane of the camera ray; NULL: nothing is random */
+    const lent_light *lent;      /* by lane of the camera ray; NULL: nothing is known */
     pov_counts counts;
     interrupt interrupt;
     const bool *blocks;          /* by target of photons: it blocks straight light of the present light source; NULL: none

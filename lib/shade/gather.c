@@ -67,6 +67,18 @@ static void go_behind(const gathering *to, const surface *s, path *next)
     c->failed = c->failed || !dielectric_pass(&c->dielectrics, c->env, &next->inside, &crossing);
 }
 
+/* What the first surface of a camera ray gathers may be known. True: then it is added. */
+static bool is_lent(const gathering *to, const path *from, bool behind, colour factor)
+{
+    const lent_light *lent = to->context->lent;
+    colour *out = &to->queue->out[from->lane];
+
+    if (!lent || behind || from->branch != 0 || !lent[from->lane].known)
+        return false;
+    *out = colour_add(*out, colour_mul(factor, lent[from->lane].light));
+    return true;
+}
+
 /* The rays that gather the light that counts by this factor on one side of surface i. */
 static void add(gathering *to, uint32_t i, bool behind, colour by)
 {
@@ -81,6 +93,8 @@ static void add(gathering *to, uint32_t i, bool behind, colour by)
         to->cut++;
         return;
     }
+    if (is_lent(to, s->from, behind, factor.by))
+        return;
     b = batch_grow(to->queue, to->context->env, &to->queue->gathered, s->from->lane);
     to->context->failed = to->context->failed || !b;
     if (!b)
@@ -177,30 +191,23 @@ typedef struct drawing {
     power_sum *sum;              /* NULL: all is added as it is found */
 } drawing;
 
+static uint64_t set_of(const shade_context *c, const batch *b, uint32_t i)
+{
+    return b->paths[i].coincident ? 0 : c->samples[b->paths[i].lane].set;
+}
+
 /* Note where a ray starts whose samples its neighbours may use, and how it was drawn. */
 static void note_start(const drawing *d, uint32_t i, const path *p, const guide_views *all, bool goes, pov_vec3 dir, float by)
 {
     const uint32_t n = d->sum->count;
     const gather_origins *g = d->from->gather;
-    const uint32_t lamps = world_get_lamps(d->context->scene->world)->count;
     reuse *r = d->sum->reuse;
 
-    lanes_put(&r->start, n, d->from->own[i].org);
-    lanes_put(&r->normal, n, lanes_at(&g->normal, i));
-    lanes_put(&r->face, n, lanes_at(&g->face, i));
-    r->rays[n] = d->from->own[i];
-    r->outside[n] = g->outside[i] != g->behind[i];
-    r->from_object[n] = d->from->own[i].origin_surface;
-    r->sets[n] = p->coincident ? 0 : d->context->samples[p->lane].set;
+    reuse_put(r, n, d->from, i, all, world_get_lamps(d->context->scene->world)->count);
+    r->sets[n] = set_of(d->context, d->from, i);
     r->by[n] = by;
-    r->guided[n] = all->count > 0;
-    for (uint32_t k = 0; k < lamps; k++)
-        r->lamps[k][n] = 0.0;
-    for (uint32_t k = 0; k < all->count; k++) {
-        r->lamps[all->of[k].lamp][n] = all->of[k].share / all->of[k].whole;
-        r->lamps_seen |= (uint64_t)1 << all->of[k].lamp;
-    }
-    r->found[p->lane] = goes ? REUSE_SKY : REUSE_NOTHING;   /* until a surface is found */
+    r->below[p->lane] = !(pov_dot(dir, lanes_at(&g->face, i)) > 0.0);
+    r->found[p->lane] = goes && !r->below[p->lane] ? REUSE_SKY : REUSE_NOTHING;   /* until a surface is found */
     lanes_put(&r->end, p->lane, dir);
 }
 
@@ -264,11 +271,6 @@ static void draw_ray(const drawing *d, uint32_t i)
 }
 
 /* ---- sets ---- */
-
-static uint64_t set_of(const shade_context *c, const batch *b, uint32_t i)
-{
-    return b->paths[i].coincident ? 0 : c->samples[b->paths[i].lane].set;
-}
 
 /* Each ray of a set is drawn as often as makes twice the samples of one that is alone for all of them. Where rays may find what
  * counts for none but themselves, those of a pixel's first sample, which may be its only one, are half as many as of one that
@@ -343,6 +345,8 @@ bool gather_draw(shade_context *c, batch_queue *q, batch *from, uint32_t draw)
             draw_ray(&d, i);
     return true;
 }
+
+bool gather_is_even(const shading *s) { return s->even && !s->plan->smooth && !s->model->radiosity.uses_normals; }
 
 colour gather_sample(const radiosity_settings *r, colour seen)
 {

@@ -17,6 +17,8 @@ void gather_begin_layers(shade_context *c, const layers *l, batch_queue *q);
 bool gather_has_draw(const batch *b, uint32_t draw);
 /* Make q->now the rays of a draw from these origins. False: no memory. */
 bool gather_draw(shade_context *c, batch_queue *q, batch *from, uint32_t draw);
+/* Does all that rays of this scene find look the same from everywhere? */
+bool gather_is_even(const shading *s);
 /* What a sample counts for. */
 colour gather_sample(const radiosity_settings *r, colour seen);
 

@@ -5,6 +5,27 @@
 
 static const double inverse_pi = 0.31830988618379067;
 
+/* ---- where rays start ---- */
+
+void reuse_put(reuse *r, uint32_t n, const batch *from, uint32_t i, const guide_views *above, uint32_t lamps)
+{
+    const gather_origins *g = from->gather;
+
+    lanes_put(&r->start, n, from->own[i].org);
+    lanes_put(&r->normal, n, lanes_at(&g->normal, i));
+    lanes_put(&r->face, n, lanes_at(&g->face, i));
+    r->rays[n] = from->own[i];
+    r->outside[n] = g->outside[i] != g->behind[i];
+    r->from_object[n] = from->own[i].origin_surface;
+    r->guided[n] = above->count > 0;
+    for (uint32_t k = 0; k < lamps; k++)
+        r->lamps[k][n] = 0.0;
+    for (uint32_t k = 0; k < above->count; k++) {
+        r->lamps[above->of[k].lamp][n] = above->of[k].share / above->of[k].whole;
+        r->lamps_seen |= (uint64_t)1 << above->of[k].lamp;
+    }
+}
+
 /* ---- what rays find ---- */
 
 /* Is all that is seen of it the same from everywhere on this side? */
@@ -22,7 +43,7 @@ void reuse_note(const shade_context *c, const surfaces *on, reuse *r)
         const pov_vec3 normal = lanes_at(&on->geometry.to.normal, i);
         const uint32_t lane = s->from->lane;
 
-        r->found[lane] = is_even(c->scene, s) ? REUSE_PLACE : REUSE_NOTHING;
+        r->found[lane] = !r->below[lane] && is_even(c->scene, s) ? REUSE_PLACE : REUSE_NOTHING;
         r->object[lane] = s->at->object;
         r->out[lane] = s->at->outside;
         lanes_put(&r->end, lane, s->at->point);
@@ -31,16 +52,6 @@ void reuse_note(const shade_context *c, const surfaces *on, reuse *r)
 }
 
 /* ---- weights ---- */
-
-/* The starts x of a set, from .. to - 1, and a place y. By start: what y counts there, by area of y, which is the product of the
- * cosines at x and y over pi and the square of the distance; and how densely rays from x would meet y. */
-typedef struct weights {
-    uint32_t from, to;
-    pov_vec3 at, normal;
-    double kernel[WORLD_MANY], density[WORLD_MANY];
-    double x[WORLD_MANY], y[WORLD_MANY], z[WORLD_MANY];   /* from start to place */
-    double facing[WORLD_MANY];   /* the cosine at the place, times the distance */
-} weights;
 
 SIMD_CLONES static void find_kernels(const reuse *r, weights *w)
 {
@@ -131,37 +142,7 @@ static bool arrives(const hit *h, uint32_t object)
     return h->object == object && h->crossing.t > nearly;
 }
 
-/* Leave the kernels and densities of those that see what the ray `own` found; `clear` do. False: given up. */
-static bool hide(shade_context *c, reuse *r, uint32_t own, uint32_t lane, uint64_t clear, weights *w)
-{
-    const pov_ray *rays[WORLD_MANY];
-    uint8_t of[WORLD_MANY];
-    hit hits[WORLD_MANY];
-    const bool is_sky = r->found[lane] == REUSE_SKY;
-    uint64_t hidden;
-    uint32_t n = 0;
-
-    for (uint32_t i = w->from; i < w->to; i++)
-        if (i != own && w->kernel[i] > 0.0 && !(clear >> i & 1)) {
-            rays[n] = aim(r, w, i);
-            of[n++] = (uint8_t)i;
-        }
-    if (n == 0)
-        return true;
-    hidden = query_nearest(c->scene->world, c->context, rays, n, is_sky ? HUGE_VAL : 1.0, hits);
-    c->counts.shadow += n;
-    for (uint32_t k = 0; k < n; k++)
-        if ((hidden >> k & 1) && (is_sky || !arrives(&hits[k], r->object[lane])))
-            w->kernel[of[k]] = w->density[of[k]] = 0.0;
-    return !interrupt_is_due(&c->interrupt, n);
-}
-
 /* ---- flat parts ---- */
-
-/* Starts of a set that lie on one plane side of an object: the corners of a rectangle around them. */
-typedef struct flat { pov_vec3 normal, corner[4]; uint32_t object; bool outside; uint64_t lanes; } flat;
-enum { FLATS_MAX = 4 };
-typedef struct flats { uint32_t count; flat of[FLATS_MAX]; } flats;
 
 static bool is_same(pov_vec3 a, pov_vec3 b) { return a.x == b.x && a.y == b.y && a.z == b.z; }
 
@@ -170,32 +151,50 @@ static bool is_on(const reuse *r, const flat *f, uint32_t i)
     return r->from_object[i] == f->object && r->outside[i] == f->outside && is_same(lanes_at(&r->face, i), f->normal);
 }
 
+/* A rectangle across a normal, from a point. */
+typedef struct rectangle { pov_vec3 at, normal, u, v; double lo[2], hi[2], off; } rectangle;
+
+static rectangle begin_rectangle(pov_vec3 n, pov_vec3 at)
+{
+    const bool x_least = fabs(n.x) <= fabs(n.y) && fabs(n.x) <= fabs(n.z), y_least = fabs(n.y) <= fabs(n.z);
+    const pov_vec3 axis = pov_vec3_of(x_least, !x_least && y_least, !x_least && !y_least);
+    rectangle r = { .at = at, .normal = n, .u = pov_unit(pov_cross_product(n, axis)) };
+
+    r.v = pov_cross_product(n, r.u);
+    return r;
+}
+
+static void extend(rectangle *r, pov_vec3 point)
+{
+    const pov_vec3 d = pov_sub(point, r->at);
+    const double a = pov_dot(d, r->u), b = pov_dot(d, r->v);
+
+    r->lo[0] = fmin(r->lo[0], a);
+    r->hi[0] = fmax(r->hi[0], a);
+    r->lo[1] = fmin(r->lo[1], b);
+    r->hi[1] = fmax(r->hi[1], b);
+    r->off = fmax(r->off, fabs(pov_dot(d, r->normal)));
+}
+
+/* False: the points do not lie on a plane. */
+static bool end_rectangle(const rectangle *r, pov_vec3 corner[4])
+{
+    for (int i = 0; i < 4; i++)
+        corner[i] = pov_add(r->at, pov_add(pov_scale(r->u, (i + 1) & 2 ? r->hi[0] : r->lo[0]), pov_scale(r->v, i & 2 ? r->hi[1] : r->lo[1])));
+    return r->off <= 0x1p-40 * (r->hi[0] - r->lo[0] + r->hi[1] - r->lo[1]);
+}
+
 /* The rectangle around its starts. False: they do not lie on a plane. */
 static bool close_flat(const reuse *r, flat *f)
 {
-    const uint32_t first = first_of64(f->lanes);
-    const pov_vec3 n = f->normal, at = lanes_at(&r->start, first);
-    const bool x_least = fabs(n.x) <= fabs(n.y) && fabs(n.x) <= fabs(n.z), y_least = fabs(n.y) <= fabs(n.z);
-    const pov_vec3 axis = pov_vec3_of(x_least, !x_least && y_least, !x_least && !y_least);
-    const pov_vec3 u = pov_unit(pov_cross_product(n, axis)), v = pov_cross_product(n, u);
-    double lo[2] = { 0.0, 0.0 }, hi[2] = { 0.0, 0.0 }, off = 0.0;
+    rectangle around = begin_rectangle(f->normal, lanes_at(&r->start, first_of64(f->lanes)));
 
-    for (uint64_t rest = f->lanes; rest; rest &= rest - 1) {
-        const pov_vec3 d = pov_sub(lanes_at(&r->start, first_of64(rest)), at);
-        const double a = pov_dot(d, u), b = pov_dot(d, v);
-
-        lo[0] = fmin(lo[0], a);
-        hi[0] = fmax(hi[0], a);
-        lo[1] = fmin(lo[1], b);
-        hi[1] = fmax(hi[1], b);
-        off = fmax(off, fabs(pov_dot(d, n)));
-    }
-    for (int i = 0; i < 4; i++)
-        f->corner[i] = pov_add(at, pov_add(pov_scale(u, (i + 1) & 2 ? hi[0] : lo[0]), pov_scale(v, i & 2 ? hi[1] : lo[1])));
-    return off <= 0x1p-40 * (hi[0] - lo[0] + hi[1] - lo[1]);
+    for (uint64_t rest = f->lanes; rest; rest &= rest - 1)
+        extend(&around, lanes_at(&r->start, first_of64(rest)));
+    return end_rectangle(&around, f->corner);
 }
 
-static void find_flats(const reuse *r, uint32_t from, uint32_t to, flats *out)
+void reuse_find_flats(const reuse *r, uint32_t from, uint32_t to, flats *out)
 {
     uint64_t left = 0;
 
@@ -215,24 +214,219 @@ static void find_flats(const reuse *r, uint32_t from, uint32_t to, flats *out)
     }
 }
 
-/* Lanes of which one look tells that nothing lies before the place. */
-static uint64_t find_clear(const shade_context *c, const reuse *r, const flats *all, const weights *w, uint32_t lane)
+static bool is_one_side(const flat *a, const flat *b)
 {
-    const departure left = { r->object[lane], r->out[lane] };
-    uint64_t clear = 0;
+    return a->object == b->object && a->outside == b->outside && is_same(a->normal, b->normal);
+}
 
+/* Widen the rectangle to hold one in its plane. False: it lies in another. */
+static bool widen(flat *f, const flat *by)
+{
+    rectangle r = begin_rectangle(f->normal, f->corner[0]);
+
+    for (int i = 0; i < 4; i++) {
+        extend(&r, f->corner[i]);
+        extend(&r, by->corner[i]);
+    }
+    return end_rectangle(&r, f->corner);
+}
+
+void reuse_join_flats(const flats *some, flats *out)
+{
+    for (uint32_t k = 0; k < some->count; k++) {
+        const flat *f = &some->of[k];
+        uint32_t i = 0;
+
+        while (i < out->count && !is_one_side(&out->of[i], f))
+            i++;
+        if (i < out->count) {
+            if (!widen(&out->of[i], f))
+                out->of[i].lanes = 0;   /* parallel planes: nothing is known of any */
+        } else if (i < FLATS_MAX) {
+            out->of[out->count++] = *f;
+        }
+    }
+}
+
+/* Around all segments to the place. */
+static bool make_shaft(const flat *f, const weights *w, shaft *out)
+{
+    pov_vec3 corner[4];
+
+    for (int i = 0; i < 4; i++)
+        corner[i] = pov_sub(f->corner[i], w->at);
+    return shaft_make(out, w->at, corner);
+}
+
+/* The same to the sky. Rays in one direction are a prism: to the end of all that is finite it lies in a pyramid that is so much
+ * longer, on a base so much wider. What is infinite and no plane is never clear; and of the rays beside a plane that do not start on
+ * different sides of it all meet it or none. */
+static bool make_sky_shaft(const world *scene, const flat *f, const weights *w, shaft *out)
+{
+    const double longer = 64.0, wider = longer / (longer - 1.0);
+    const pov_vec3 middle = pov_scale(pov_add(f->corner[0], f->corner[2]), 0.5), half = pov_sub(f->corner[0], middle);
+    pov_vec3 corner[4], far = half, apex;
+    pov_box box;
+
+    if (world_bounds(scene, &box))
+        far = pov_vec3_of(fmax(fabs(box.lo.x - middle.x), fabs(box.hi.x - middle.x)), fmax(fabs(box.lo.y - middle.y), fabs(box.hi.y - middle.y)),
+                          fmax(fabs(box.lo.z - middle.z), fabs(box.hi.z - middle.z)));
+    apex = pov_add(middle, pov_scale(w->at, longer * (sqrt(pov_dot(far, far)) + sqrt(pov_dot(half, half)))));
+    for (int i = 0; i < 4; i++)
+        corner[i] = pov_sub(pov_add(middle, pov_scale(pov_sub(f->corner[i], middle), wider)), apex);
+    return shaft_make(out, apex, corner);
+}
+
+/* Lanes of which one look tells that nothing lies before the place; of the sky they are one of parts[] each. */
+typedef struct clearing { uint64_t lanes, parts[FLATS_MAX]; uint32_t count; } clearing;
+
+static bool is_clear(const shade_context *c, const flat *f, const weights *w)
+{
+    const world *scene = c->scene->world;
+    const departure on = { f->object, f->outside }, left = { w->object, w->out }, none = { POV_NO_OWNER, false };
+    shaft s;
+
+    if (w->found == REUSE_SKY)
+        return make_sky_shaft(scene, f, w, &s) && query_is_clear(scene, &s, none, on);
+    return make_shaft(f, w, &s) && query_is_clear(scene, &s, left, on);
+}
+
+static bool any_sees(const flat *f, const weights *w)
+{
+    for (uint64_t rest = f->lanes; rest; rest &= rest - 1)
+        if (w->kernel[first_of64(rest)] > 0.0)
+            return true;
+    return false;
+}
+
+/* Is the place on the side that rays leave to? */
+static bool is_before(const flat *f, const weights *w)
+{
+    return pov_dot(f->normal, w->found == REUSE_SKY ? w->at : pov_sub(w->at, f->corner[0])) > 0.0;
+}
+
+/* Rays to the sky beside one from the same plane are all clear if one is: see make_sky_shaft(). */
+void reuse_find_clear(const shade_context *c, const reuse *from, uint32_t start, const flats *joined, const weights *w, flats *out)
+{
+    out->count = 0;
+    for (uint32_t k = 0; k < joined->count; k++) {
+        const flat *f = &joined->of[k];
+
+        if (f->lanes && (w->found != REUSE_SKY || is_on(from, f, start)) && is_before(f, w) && is_clear(c, f, w))
+            out->of[out->count++] = *f;
+    }
+}
+
+static bool is_within(const flats *clear, const flat *f)
+{
+    for (uint32_t i = 0; clear && i < clear->count; i++)
+        if (is_one_side(&clear->of[i], f))
+            return true;
+    return false;
+}
+
+static void find_clear(const shade_context *c, const flats *all, const flats *joined, const weights *w, clearing *out)
+{
+    out->lanes = 0;
+    out->count = 0;
     for (uint32_t k = 0; k < all->count; k++) {
         const flat *f = &all->of[k];
-        const departure on = { f->object, f->outside };
-        pov_vec3 corner[4];
-        shaft s;
 
-        for (int i = 0; i < 4; i++)
-            corner[i] = pov_sub(f->corner[i], w->at);
-        if (shaft_make(&s, w->at, corner) && query_is_clear(c->scene->world, &s, left, on))
-            clear |= f->lanes;
+        if (is_within(joined, f)) {
+            out->lanes |= f->lanes;
+        } else if (any_sees(f, w) && is_clear(c, f, w)) {
+            out->lanes |= f->lanes;
+            out->parts[out->count++] = f->lanes;
+        }
     }
-    return clear;
+}
+
+/* ---- who sees it: all ---- */
+
+/* The first of some lanes whose starts face the place. POV_NO_OWNER: there is none. */
+static uint32_t first_facing(const weights *w, uint64_t lanes)
+{
+    for (; lanes; lanes &= lanes - 1)
+        if (w->kernel[first_of64(lanes)] > 0.0)
+            return first_of64(lanes);
+    return POV_NO_OWNER;
+}
+
+static void hide(weights *w, uint64_t lanes)
+{
+    for (; lanes; lanes &= lanes - 1)
+        w->kernel[first_of64(lanes)] = w->density[first_of64(lanes)] = 0.0;
+}
+
+/* Rays to the sky from clear parts: one of each stands for all of them. Lanes that need not be asked. */
+static uint64_t leave_first(const weights *w, const clearing *clear, uint32_t own)
+{
+    uint64_t out = clear->lanes;
+
+    for (uint32_t k = 0; w->found == REUSE_SKY && k < clear->count; k++) {
+        const uint32_t first = first_facing(w, clear->parts[k]);
+
+        if (first != POV_NO_OWNER && !(own < 64 && clear->parts[k] >> own & 1))
+            out &= ~((uint64_t)1 << first);
+    }
+    return out;
+}
+
+/* Leave the kernels and densities of those that see what the ray `own` found. False: given up. */
+static bool hide_some(shade_context *c, reuse *r, uint32_t own, const clearing *clear, weights *w)
+{
+    const pov_ray *rays[WORLD_MANY];
+    uint8_t of[WORLD_MANY];
+    hit hits[WORLD_MANY];
+    const bool is_sky = w->found == REUSE_SKY;
+    const uint64_t known = leave_first(w, clear, own);
+    uint64_t hits_some, hidden = 0;
+    uint32_t n = 0;
+
+    for (uint32_t i = w->from; i < w->to; i++)
+        if (i != own && w->kernel[i] > 0.0 && !(known >> i & 1)) {
+            rays[n] = aim(r, w, i);
+            of[n++] = (uint8_t)i;
+        }
+    if (n == 0)
+        return true;
+    hits_some = query_nearest(c->scene->world, c->context, rays, n, is_sky ? HUGE_VAL : 1.0, hits);
+    c->counts.shadow += n;
+    for (uint32_t k = 0; k < n; k++)
+        if ((hits_some >> k & 1) && (is_sky || !arrives(&hits[k], w->object)))
+            hidden |= (uint64_t)1 << of[k];
+    for (uint32_t k = 0; is_sky && k < clear->count; k++)
+        hidden |= hidden & clear->parts[k] ? clear->parts[k] : 0;
+    hide(w, hidden);
+    return !interrupt_is_due(&c->interrupt, n);
+}
+
+/* ---- weights of a place ---- */
+
+void reuse_begin(const reuse *r, uint32_t lane, weights *w)
+{
+    w->at = lanes_at(&r->end, lane);
+    w->normal = lanes_at(&r->end_normal, lane);
+    w->found = r->found[lane];
+    w->object = r->object[lane];
+    w->out = r->out[lane];
+}
+
+void reuse_find_kernels(const reuse *r, weights *w)
+{
+    if (w->found == REUSE_SKY)
+        find_sky_kernels(r, w);
+    else
+        find_kernels(r, w);
+}
+
+bool reuse_find_densities(shade_context *c, reuse *r, const flats *all, uint32_t own, const flats *joined, weights *w)
+{
+    clearing clear;
+
+    find_densities(c, r, w);
+    find_clear(c, all, joined, w, &clear);
+    return hide_some(c, r, own, &clear, w);
 }
 
 /* ---- sums ---- */
@@ -250,25 +444,22 @@ static void spread_one(shade_context *c, power_sum *sum, const flats *all_flats,
     reuse *r = sum->reuse;
     const uint32_t lane = sum->lane[own];
     const colour seen = gather_sample(&c->scene->model->radiosity, sum->seen[lane]);
+    const bool is_shared = r->found[lane] != REUSE_NOTHING;
     double all = 0.0;
     weights w;
 
     if (seen.r == 0.0f && seen.g == 0.0f && seen.b == 0.0f)
         return;
+    reuse_begin(r, lane, &w);
     w.from = from;
     w.to = to;
-    w.at = lanes_at(&r->end, lane);
-    w.normal = lanes_at(&r->end_normal, lane);
-    if (to - from > 1 && r->found[lane] == REUSE_PLACE)
-        find_kernels(r, &w);
-    else if (to - from > 1 && r->found[lane] == REUSE_SKY)
-        find_sky_kernels(r, &w);
-    if (to - from == 1 || r->found[lane] == REUSE_NOTHING || !(w.kernel[own] > 0.0)) {
+    if (to - from > 1 && is_shared)
+        reuse_find_kernels(r, &w);
+    if (to - from == 1 || !is_shared || !(w.kernel[own] > 0.0)) {
         add(sum, own, seen, (double)r->by[own]);
         return;
     }
-    find_densities(c, r, &w);
-    if (!hide(c, r, own, lane, r->found[lane] == REUSE_SKY ? 0 : find_clear(c, r, all_flats, &w, lane), &w))
+    if (!reuse_find_densities(c, r, all_flats, own, NULL, &w))
         return;
     for (uint32_t i = from; i < to; i++)
         all += w.density[i];
@@ -286,7 +477,7 @@ void reuse_spread(shade_context *c, power_sum *sum)
     for (uint32_t from = 0, to; from < sum->count; from = to) {
         for (to = from + 1; to < sum->count && r->sets[to] == r->sets[from] && r->sets[from]; to++)
             ;
-        find_flats(r, from, to, &all);
+        reuse_find_flats(r, from, to, &all);
         for (uint32_t i = from; i < to && !c->interrupt.given_up; i++)
             spread_one(c, sum, &all, from, to, i);
     }

@@ -27,11 +27,45 @@ typedef struct reuse {
     uint32_t from_object[WORLD_MANY];
     /* By lane of the camera ray: what the ray found. Of what is infinitely far `end` is the direction, a unit vector. */
     uint8_t found[WORLD_MANY];       /* REUSE_... */
+    bool below[WORLD_MANY];          /* the ray left below the face: it is its own */
     uint32_t object[WORLD_MANY];
     bool out[WORLD_MANY];            /* it came from outside of the object */
     vec_lanes end, end_normal;       /* the normal faces the start */
     struct reuse *next;              /* next of the spare ones */
 } reuse;
+
+/* The starts x of a set, from .. to - 1, and a place y. By start: what y counts there, by area of y, which is the product of the
+ * cosines at x and y over pi and the square of the distance; and how densely rays from x would meet y. */
+typedef struct weights {
+    uint32_t from, to;
+    pov_vec3 at, normal;
+    uint8_t found;               /* REUSE_PLACE or REUSE_SKY */
+    uint32_t object;
+    bool out;                    /* rays come to it from outside of the object */
+    double kernel[WORLD_MANY], density[WORLD_MANY];
+    double x[WORLD_MANY], y[WORLD_MANY], z[WORLD_MANY];   /* from start to place */
+    double facing[WORLD_MANY];   /* the cosine at the place, times the distance */
+} weights;
+
+/* Starts of a set that lie on one plane side of an object: the corners of a rectangle around them. */
+typedef struct flat { pov_vec3 normal, corner[4]; uint32_t object; bool outside; uint64_t lanes; } flat;
+enum { FLATS_MAX = 4 };
+typedef struct flats { uint32_t count; flat of[FLATS_MAX]; } flats;
+
+/* Note the n-th start, which is origin i of a batch, and the lamps above it. */
+void reuse_put(reuse *r, uint32_t n, const batch *from, uint32_t i, const guide_views *above, uint32_t lamps);
+void reuse_find_flats(const reuse *r, uint32_t from, uint32_t to, flats *out);
+/* Add parts of other sets, without their lanes; those that lie on one plane side are one. */
+void reuse_join_flats(const flats *some, flats *out);
+/* Begin with the place that the ray of a lane has found. */
+void reuse_begin(const reuse *r, uint32_t lane, weights *w);
+/* Kernels of the starts from .. to - 1 as if nothing lay before the place. */
+void reuse_find_kernels(const reuse *r, weights *w);
+/* Of joined parts keep those of which one look tells that nothing lies before the place. start: where the ray that found it is from. */
+void reuse_find_clear(const shade_context *c, const reuse *from, uint32_t start, const flats *joined, const weights *w, flats *out);
+/* Then the densities, and none of both where the place is hidden; it is not from start `own`, whose ray found it. clear: joined parts
+ * from where it is not, or NULL. False: given up. */
+bool reuse_find_densities(shade_context *c, reuse *r, const flats *all, uint32_t own, const flats *clear, weights *w);
 
 /* Is there a path whose set may use what others find? */
 bool reuse_is_possible(const shade_context *c);

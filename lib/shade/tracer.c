@@ -517,10 +517,9 @@ pov_status tracer_error(const pov_tracer *t, pov_error *err)
                    (unsigned long long)most_rays(t->context.scene->model));
 }
 
-static void follow(pov_tracer *t, colour *out)
+void tracer_follow(pov_tracer *t, batch *b, colour *out)
 {
     shade_context *c = &t->context;
-    batch *b = &t->camera;
     const uint64_t most = most_rays(c->scene->model);
 
     t->follower_batches = 0;
@@ -579,7 +578,7 @@ static void trace(pov_tracer *t, const pov_ray *rays, uint32_t n, unsigned known
     batch_forget(&t->queue, &t->context);
     begun = begin(t, rays, n, known);
     if (t->camera.count > 0)
-        follow(t, out);
+        tracer_follow(t, &t->camera, out);
     if (!are_finite(&out->r, 3 * n))
         for (i = 0; i < n; i++)
             out[i] = accumulate_finite(out[i]);

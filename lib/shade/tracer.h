@@ -47,6 +47,8 @@ void tracer_colors(pov_tracer *t, const pov_ray *rays, uint32_t n, unsigned know
                    float *alpha);
 /* Begin paths of n valid rays that carry these colours: photons. */
 void tracer_begin(pov_tracer *t, const pov_ray *rays, uint32_t n, const colour *carried);
+/* Trace the rays of a batch, and all that follow from them. */
+void tracer_follow(pov_tracer *t, batch *b, colour *out);
 /* For photons: how far apart rays of neighbouring pixels start, how much farther apart they are for each unit of their length,
  * the screen or NULL, and the seed. All are 0 before. */
 void tracer_set_pixel(pov_tracer *t, double width, double slope, const struct photon_screen *screen, uint32_t seed);

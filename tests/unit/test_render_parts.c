@@ -245,7 +245,7 @@ static void tiles_are_dealt_evenly(void **state)
         tiles t;
 
         for (int part = 1; part <= parts; part++) {
-            tiles_make(&t, 500, 500, 1);
+            tiles_make(&t, 500, 500, 1, false);
             assert_true(tiles_sort(&t, &e));
             tiles_deal(&t, part, parts);
             for (size_t i = 0; i < t.own; i++)

@@ -286,7 +286,7 @@ static void tiles_cover_every_pixel_once(void **state)
         unsigned char *seen = calloc((size_t)width * (size_t)height, 1);
         tiles t;
 
-        tiles_make(&t, width, height, 4);
+        tiles_make(&t, width, height, 4, false);
         assert_true(tiles_sort(&t, &e));
         for (size_t k = 0; k < t.count; k++) {
             pov_rect r = tiles_rect(&t, t.order[k]);
@@ -308,7 +308,7 @@ static void tiles_come_from_the_middle_outwards(void **state)
     int last = 0;
     (void)state;
 
-    tiles_make(&t, 500, 300, 1);
+    tiles_make(&t, 500, 300, 1, false);
     assert_true(tiles_sort(&t, &e));
     for (size_t k = 0; k < t.count; k++) {
         pov_rect r = tiles_rect(&t, t.order[k]);
@@ -351,7 +351,7 @@ typedef struct board { env env; tiles tiles; framebuffer framebuffer; float *pix
 static void setup(board *b)
 {
     b->env = libc_env();
-    tiles_make(&b->tiles, 32, 16, 1);
+    tiles_make(&b->tiles, 32, 16, 1, false);
     assert_int_equal(b->tiles.edge, 16);
     assert_true(framebuffer_make(&b->framebuffer, &b->env, &b->tiles, 4));
     b->pixels = calloc(16 * 16 * 4, sizeof *b->pixels);
