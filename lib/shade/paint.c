@@ -3,6 +3,7 @@
 #include "base/simd.h"
 #include "shade/coloured.h"
 #include "shade/merge.h"
+#include "shade/paint_group.h"
 #include "shade/stack.h"
 #include "texture/normal.h"
 #include "world/detail.h"
@@ -39,60 +40,13 @@ void paint_destroy(painted *p, const env *e)
 
 /* ---- points ---- */
 
-/* The surfaces of one texture, by lane of the texture. */
-typedef struct group {
-    const texture *texture;
-    uint32_t count;
-    uint8_t lane[BATCH_MAX];
-    texture_points points;
-    texture_part parts[BATCH_MAX];
-    linear_map linear[BATCH_MAX];   /* of what is in copies */
-} group;                         /* views and uv are there where the scene asks for them */
-
-enum { PARTS_FIT = 1 / (TEXTURE_PARTS_MAX == POV_TEXTURES_MAX) };   /* else this does not compile */
-
-/* The part of its object that a hit is on. */
-static void find_part(const shading *scene, const hit *h, texture_part *out)
-{
-    double share[POV_TEXTURES_MAX];
-
-    out->count = world_part_textures(scene->world, h, out->which, share);
-    for (uint32_t i = 0; i < out->count; i++)
-        out->share[i] = (float)share[i];
-}
-
-static void begin(group *g, const texture *of)
-{
-    g->texture = of;
-    g->count = 0;
-    g->points.parts = g->parts;
-}
-
-static void add_point(group *g, const shading *scene, const hit *h)
-{
-    if (g->texture->blend == BLEND_PARTS)
-        find_part(scene, h, &g->parts[g->count]);
-    texture_point(&g->points, g->count, h->point, h->point_lo);
-    if (scene->worlds)
-        lanes_put(&g->points.world, g->count, h->point);
-}
-
-static void add_uv(group *g, const shading *scene, const hit *h)
-{
-    double uv[2] = { 0.0, 0.0 };
-
-    if (model_leaf(scene->model, h->object)->flags & LEAF_UV)
-        world_uv(scene->world, h, uv);
-    lanes_put(&g->points.uv, g->count, pov_vec3_of(uv[0], uv[1], 0.0));
-}
-
-static void add(group *g, const shading *scene, const surfaces *s, uint32_t lane)
+static void add(paint_group *g, const shading *scene, const surfaces *s, uint32_t lane)
 {
     const hit *h = s->at[lane].at;
 
-    add_point(g, scene, h);
+    paint_group_add_point(g, scene, h);
     if (scene->uvs)
-        add_uv(g, scene, h);
+        paint_group_add_uv(g, scene, h);
     lanes_put(&g->points.normal, g->count, lanes_at(s->geometry.raw, lane));
     if (scene->views)
         lanes_put(&g->points.view, g->count, pov_unit(s->at[lane].ray->dir));
@@ -110,47 +64,14 @@ static bool are_alike(const surfaces *s)
     return alike;
 }
 
-/* ---- spaces ---- */
-
-/* Do two leaves have one map? */
-static inline bool have_one_map(const model *m, uint32_t a, uint32_t b)
-{
-    const uint32_t own = (uint32_t)m->leaves.count;
-
-    return a == b || (a < own && b < own && model_texture_map_number(m, a) == model_texture_map_number(m, b));
-}
-
-static inline bool has_spaces(const model *m) { return m->texture_maps.count > 0 || m->copies.count > 0; }
-
-/* Take the points from the world to the spaces in which their objects' textures were written, neighbours with one map side by
- * side. object: by lane, where the scene has such spaces. */
-static void enter_spaces(group *g, const shading *scene, const uint32_t *object)
-{
-    inverse_map space;
-    uint32_t first, end;
-
-    g->points.has_surface = g->points.in_world = true;
-    g->points.has_world = scene->worlds;
-    if (!has_spaces(scene->model))
-        return;
-    for (first = 0; first < g->count; first = end) {
-        const inverse_map *map = world_texture_map(scene->world, scene->model, object[first], &space, &g->linear[first]);
-
-        for (end = first; end < g->count && have_one_map(scene->model, object[first], object[end]); end++)
-            g->points.linear[end] = map ? map->linear : NULL;
-        texture_points_map(map, first, end, &g->points);
-        g->points.in_world &= !map;
-    }
-}
-
 /* All of a group have been added. */
-static void finish_points(group *g, const shading *scene, const surfaces *s)
+static void finish_points(paint_group *g, const shading *scene, const surfaces *s)
 {
     uint32_t object[BATCH_MAX];
 
-    for (uint32_t i = 0; has_spaces(scene->model) && i < g->count; i++)
+    for (uint32_t i = 0; paint_has_spaces(scene->model) && i < g->count; i++)
         object[i] = s->at[g->lane[i]].at->object;
-    enter_spaces(g, scene, object);
+    paint_group_enter(g, scene, object);
 }
 
 static void copy_lanes(const vec_lanes *from, uint32_t n, vec_lanes *to)
@@ -162,7 +83,7 @@ static void copy_lanes(const vec_lanes *from, uint32_t n, vec_lanes *to)
     memcpy(to->z, from->z, size);
 }
 
-static void add_all(group *g, const shading *scene, const surfaces *s)
+static void add_all(paint_group *g, const shading *scene, const surfaces *s)
 {
     copy_lanes(&s->geometry.to.point, s->count, &g->points.at);
     copy_lanes(&s->geometry.to.point_lo, s->count, &g->points.at_lo);
@@ -172,7 +93,7 @@ static void add_all(group *g, const shading *scene, const surfaces *s)
     for (; g->count < s->count; g->count++) {
         g->lane[g->count] = (uint8_t)g->count;
         if (scene->uvs)
-            add_uv(g, scene, s->at[g->count].at);
+            paint_group_add_uv(g, scene, s->at[g->count].at);
         if (scene->views)
             lanes_put(&g->points.view, g->count, pov_unit(s->at[g->count].ray->dir));
     }
@@ -181,15 +102,9 @@ static void add_all(group *g, const shading *scene, const surfaces *s)
 
 /* ---- terms ---- */
 
-/* The texture of the side that the ray meets. */
-static const texture *texture_of(const shading *scene, const material *m, const pov_ray *ray, const hit *h)
-{
-    return m->inside && !world_is_at_front(scene->world, ray, h) ? m->inside : m->texture;
-}
-
 static const texture *texture_at(const shading *scene, const surface *s, const pov_ray *ray)
 {
-    return texture_of(scene, s->appearance->material, ray, s->at);
+    return paint_texture_of(scene, s->appearance->material, ray, s->at);
 }
 
 /* Bit i: the texture of surface i is to be evaluated. */
@@ -203,11 +118,11 @@ static uint64_t varying(const surfaces *s)
 }
 
 /* Of these lanes those of the first one's texture are added. Returns the others. */
-static uint64_t add_some(group *g, const shading *scene, const surfaces *s, uint64_t lanes)
+static uint64_t add_some(paint_group *g, const shading *scene, const surfaces *s, uint64_t lanes)
 {
     uint64_t rest = lanes;
 
-    begin(g, texture_at(scene, &s->at[first_of64(lanes)], s->rays[first_of64(lanes)]));
+    paint_group_begin(g, texture_at(scene, &s->at[first_of64(lanes)], s->rays[first_of64(lanes)]));
     for (; lanes; lanes &= lanes - 1) {
         const uint32_t i = first_of64(lanes);
 
@@ -224,10 +139,10 @@ static uint64_t add_some(group *g, const shading *scene, const surfaces *s, uint
 static uint32_t evaluate(const shading *scene, const surfaces *s, painted *p)
 {
     uint32_t count = 0;
-    group g;
+    paint_group g;
 
     if (s->count > 0 && are_alike(s)) {
-        begin(&g, s->at[0].appearance->material->texture);
+        paint_group_begin(&g, s->at[0].appearance->material->texture);
         add_all(&g, scene, s);
         return texture_eval(scene->model, g.texture, &g.points, g.count, p->terms);
     }
@@ -349,7 +264,7 @@ static void begin_none(const surfaces *s, painted *p)
 }
 
 /* The normals of all surfaces, which are of one texture. */
-static void perturb_all(const shading *scene, const group *g, surfaces *s)
+static void perturb_all(const shading *scene, const paint_group *g, surfaces *s)
 {
     copy_lanes(&g->points.normal, g->count, &s->geometry.bent);
     normal_eval(scene->model, g->texture->normal, NULL, &g->points, g->count, &s->geometry.bent);
@@ -360,11 +275,11 @@ static void perturb_all(const shading *scene, const group *g, surfaces *s)
 static bool find_normals_alike(const shading *scene, surfaces *s, painted *p)
 {
     const texture *of = s->count > 0 && s->at[0].appearance->one_pigment ? s->at[0].appearance->material->texture : NULL;
-    group g;
+    paint_group g;
 
     if (!of || !of->normal || !are_alike(s))
         return false;
-    begin(&g, of);
+    paint_group_begin(&g, of);
     add_all(&g, scene, s);
     perturb_all(scene, &g, s);
     begin_none(s, p);
@@ -403,11 +318,11 @@ static bool paint_alike(const shading *scene, surfaces *s, painted *p)
     pigment pigments[BATCH_MAX];
     const appearance *finished;
     bool coloured;
-    group g;
+    paint_group g;
 
     if (!of || s->at[0].appearance->one_pigment || of->blend != BLEND_NONE || !are_alike(s) || texture_sees_bent(of))
         return false;
-    begin(&g, of);
+    paint_group_begin(&g, of);
     add_all(&g, scene, s);
     if (of->normal)
         perturb_all(scene, &g, s);
@@ -424,11 +339,11 @@ static bool paint_alike(const shading *scene, surfaces *s, painted *p)
 static bool merge_alike(const shading *scene, surfaces *s, painted *p)
 {
     const texture *of = texture_of_first(s);
-    group g;
+    paint_group g;
 
     if (!of || !are_alike(s) || !merge_takes_layers(scene, of) || s->at[0].appearance->material->double_illuminate)
         return false;
-    begin(&g, of);
+    paint_group_begin(&g, of);
     add_all(&g, scene, s);
     merge_layers(scene, of, &g.points, s);
     begin_none(s, p);
@@ -532,103 +447,25 @@ void paint_surfaces(const shading *scene, surfaces *s, const painted *p)
 }
 
 /* The place of a single hit; its normal is given as it is turned. */
-static void begin_single(group *g, const shading *scene, const texture *of, const hit *h, pov_vec3 normal, pov_vec3 view)
+static void begin_single(paint_group *g, const shading *scene, const texture *of, const hit *h, pov_vec3 normal, pov_vec3 view)
 {
-    begin(g, of);
-    add_point(g, scene, h);
-    add_uv(g, scene, h);
+    paint_group_begin(g, of);
+    paint_group_add_point(g, scene, h);
+    paint_group_add_uv(g, scene, h);
     lanes_put(&g->points.normal, 0, normal);
     lanes_put(&g->points.view, 0, view);
     g->count = 1;
-    enter_spaces(g, scene, &h->object);
+    paint_group_enter(g, scene, &h->object);
 }
 
 uint32_t paint_hit(const shading *scene, const pov_ray *ray, const hit *h, texture_term *out)
 {
-    const texture *of = texture_of(scene, shading_constant(scene, h->object)->material, ray, h);
+    const texture *of = paint_texture_of(scene, shading_constant(scene, h->object)->material, ray, h);
     pov_vec3 normal = h->entering ? h->normal : pov_scale(h->normal, -1.0);
-    group g;
+    paint_group g;
 
     if (shading_info(scene, h->object)->smooth)
         world_shading_normal(scene->world, ray, h, &normal);
     begin_single(&g, scene, of, h, normal, pov_unit(ray->dir));
     return texture_eval(scene->model, of, &g.points, 1, out);
-}
-
-/* ---- surfaces that light crosses ---- */
-
-/* The normal, turned against the ray. */
-static pov_vec3 facing(const pov_ray *ray, const hit *h)
-{
-    return pov_dot(h->normal, ray->dir) > 0.0 ? pov_scale(h->normal, -1.0) : h->normal;
-}
-
-static const texture *texture_across(const shading *scene, const pov_ray *ray, const hit *h)
-{
-    return texture_of(scene, shading_constant(scene, h->object)->material, ray, h);
-}
-
-/* Of these crossings those of the first one's texture are added. Returns the others. smooth: with normals that shading has. */
-static uint64_t add_crossed(group *g, const shading *scene, const light_crossings *at, uint64_t lanes, bool smooth)
-{
-    const uint32_t first = first_of64(lanes);
-    uint32_t object[BATCH_MAX];
-    uint64_t rest = lanes;
-
-    begin(g, texture_across(scene, at->rays[first], at->hits[first]));
-    for (; lanes; lanes &= lanes - 1) {
-        const uint32_t i = first_of64(lanes), n = g->count;
-        const hit *h = at->hits[i];
-        pov_vec3 normal = facing(at->rays[i], h);
-
-        if (i != first && texture_across(scene, at->rays[i], h) != g->texture)
-            continue;
-        if (g->texture) {
-            add_point(g, scene, h);
-            add_uv(g, scene, h);
-        }
-        if (smooth && shading_info(scene, h->object)->smooth)
-            world_shading_normal(scene->world, at->rays[i], h, &normal);
-        lanes_put(&g->points.normal, n, normal);
-        lanes_put(&g->points.view, n, pov_unit(at->rays[i]->dir));
-        object[n] = h->object;
-        g->lane[g->count++] = (uint8_t)i;
-        rest &= ~((uint64_t)1 << i);
-    }
-    if (g->texture)
-        enter_spaces(g, scene, object);
-    return rest;
-}
-
-static uint64_t all_crossed(const light_crossings *at) { return at->count > 0 ? ~(uint64_t)0 >> (BATCH_MAX - at->count) : 0; }
-
-void paint_filters(const shading *scene, const light_crossings *at, colour *out)
-{
-    colour filters[BATCH_MAX];
-    group g;
-
-    for (uint64_t rest = all_crossed(at); rest;) {
-        rest = add_crossed(&g, scene, at, rest, false);
-        texture_filters(scene->model, g.texture, &g.points, g.count, filters);
-        for (uint32_t i = 0; i < g.count; i++)
-            out[g.lane[i]] = filters[i];
-    }
-}
-
-void paint_focus(const shading *scene, const light_crossings *at, const double *power, double *out)
-{
-    SIMD_ALIGNED double own[BATCH_MAX], by[BATCH_MAX];
-    group g;
-
-    for (uint64_t rest = all_crossed(at); rest;) {
-        rest = add_crossed(&g, scene, at, rest, true);
-        for (uint32_t i = 0; i < g.count; i++)
-            own[i] = power[g.lane[i]];
-        if (g.texture)
-            texture_focus(scene->model, g.texture, &g.points, own, g.count, by);
-        else
-            texture_focus_of(&g.points.normal, &g.points.view, own, g.count, by);
-        for (uint32_t i = 0; i < g.count; i++)
-            out[g.lane[i]] = by[i];
-    }
 }
