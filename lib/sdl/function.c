@@ -231,7 +231,7 @@ static value colour_at(pov_reader *in, const function *f)
     v.size = 5;
     v.is_colour = true;
     if (!in->failed)
-        function_host_colour(f, at, v.as.v);
+        function_host_colours(f, &(pov_vec3){ at[0], at[1], at[2] }, 1, &v.as.v);
     return v;
 }
 

@@ -41,15 +41,17 @@ static void parts_of_pigment(const function *f, const texture_points *points, ui
     }
 }
 
-void function_host_colour(const function *f, const double *at, double out[5])
+void function_host_colours(const function *f, const pov_vec3 *at, uint32_t n, double (*out)[5])
 {
     texture_points points;
-    pigment p;
+    pigment found[LANES_MAX];
 
     points.has_surface = false;
-    texture_point(&points, 0, vector_of(at), pov_vec3_of(0.0, 0.0, 0.0));
-    pigment_eval(f->model, f->pigment, &points, 1, &p);
-    put_colour(&p, out);
+    for (uint32_t i = 0; i < n; i++)
+        texture_point(&points, i, at[i], pov_vec3_of(0.0, 0.0, 0.0));
+    pigment_eval(f->model, f->pigment, &points, n, found);
+    for (uint32_t i = 0; i < n; i++)
+        put_colour(&found[i], out[i]);
 }
 
 pov_vec3 function_host_map(const function *f, const double *at)

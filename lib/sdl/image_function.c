@@ -1,5 +1,6 @@
 #include "sdl/image_function.h"
 
+#include "base/lanes.h"
 #include "sdl/function_host.h"
 #include "sdl/host_parts.h"
 #include "sdl/intern.h"
@@ -53,17 +54,27 @@ static void fill(pov_reader *in, const pov_function *f, const image *of, uint16_
 }
 
 /* The filter of a pigment is not kept, as POV-Ray has it. */
+static void put_sample(const double c[5], uint16_t out[4])
+{
+    for (int k = 0; k < 3; k++)
+        out[k] = sample_of(c[k]);
+    out[3] = sample_of(1.0 - c[4]);
+}
+
 static void fill_colours(pov_reader *in, const function *f, const image *of, uint16_t *samples)
 {
-    for (uint32_t row = 0; row < of->height && limit_time(in, &in->value); row++)
-        for (uint32_t column = 0; column < of->width; column++, samples += 4) {
-            const double at[3] = { place_of(column, of->width), place_of(row, of->height), 0.0 };
-            double c[5];
+    pov_vec3 at[LANES_MAX];
+    double found[LANES_MAX][5];
 
-            function_host_colour(f, at, c);
-            for (int k = 0; k < 3; k++)
-                samples[k] = sample_of(c[k]);
-            samples[3] = sample_of(1.0 - c[4]);
+    for (uint32_t row = 0; row < of->height && limit_time(in, &in->value); row++)
+        for (uint32_t from = 0; from < of->width; from += LANES_MAX) {
+            const uint32_t n = of->width - from < LANES_MAX ? of->width - from : LANES_MAX;
+
+            for (uint32_t i = 0; i < n; i++)
+                at[i] = pov_vec3_of(place_of(from + i, of->width), place_of(row, of->height), 0.0);
+            function_host_colours(f, at, n, found);
+            for (uint32_t i = 0; i < n; i++, samples += 4)
+                put_sample(found[i], samples);
         }
 }
 

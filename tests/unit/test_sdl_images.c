@@ -253,6 +253,24 @@ static void a_pigment_makes_an_image_of_its_colours(void **state)
     end(&b);
 }
 
+/* Rows longer than what is evaluated at once, and no multiple of it. */
+static void each_pixel_of_a_wide_row_is_the_pigment_there(void **state)
+{
+    enum { WIDE = 131 };
+    bench b;
+
+    (void)state;
+    assert_int_equal(read_scene(&b, "pigment { image_map { function 131, 2 { pigment { gradient x color_map { [0 rgb 0] [1 rgb <1, .5, .25>] } scale 2 } } } }"),
+                     POV_OK);
+    for (int i = 0; i < WIDE; i++) {
+        const pigment p = colour_at(&b, (i + 0.5) / WIDE, 0.25);
+
+        assert_float_equal(p.color.r, 0.5 * i / (WIDE - 1), 2e-5);
+        assert_float_equal(p.color.b, 0.125 * i / (WIDE - 1), 2e-5);
+    }
+    end(&b);
+}
+
 /* Values and heights are no light: what is given of their curve counts, and not what the scene calculates in. */
 static void values_of_images_do_not_depend_on_the_assumed_gamma(void **state)
 {
@@ -409,6 +427,7 @@ int main(void)
         cmocka_unit_test(values_of_functions_beyond_0_and_1_come_round),
         cmocka_unit_test(heights_of_a_pigment_are_its_brightness),
         cmocka_unit_test(a_pigment_makes_an_image_of_its_colours),
+        cmocka_unit_test(each_pixel_of_a_wide_row_is_the_pigment_there),
         cmocka_unit_test(values_of_images_do_not_depend_on_the_assumed_gamma),
         cmocka_unit_test(heights_are_decoded_by_the_gamma_that_is_given),
         cmocka_unit_test(numbers_of_textures_are_decoded_too),
