@@ -2,7 +2,8 @@
 #ifndef SHADE_ACCUMULATE_H
 #define SHADE_ACCUMULATE_H
 
-#include "shade/path.h"
+#include "shade/layers.h"
+#include "shade/lighting.h"
 
 #include <float.h>
 
@@ -27,5 +28,14 @@ static inline void accumulate(const path *p, colour seen, colour *out)
 {
     out[p->lane] = colour_add(out[p->lane], accumulate_finite(colour_mul(p->factor.by, seen)));
 }
+
+/* Add the light that surfaces emit and reflect along their rays. firsts: they are the first to add to their rays' colours, all of one
+ * batch of the camera. Light by lane of one appearance, and of stacks, is overwritten. */
+void accumulate_surfaces(surfaces *s, bool firsts, colour *out);
+/* The same of surfaces of which some are flat stacks, and of layers. */
+void accumulate_stacks(const surfaces *s, lit_stacks *from, colour *out);
+void accumulate_layers(const layers *l, colour *out);
+/* End with sums that are finite. */
+void accumulate_end(colour *out, uint32_t n);
 
 #endif

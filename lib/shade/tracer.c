@@ -139,87 +139,11 @@ static void shade_layers(pov_tracer *t, colour *out)
     t->lighting.own = t->shadow_rays->own;
     for (layers_begin(l); !c->failed && layers_take(c, l, &t->surfaces, &t->painted);) {
         light_gather(&t->lighting, c, &l->on);
-        for (uint32_t i = 0; i < l->on.count; i++) {
-            const surface *s = &l->on.at[i];
-
-            accumulate(s->from, colour_mul(l->of[i].by, colour_add(s->appearance->emitted, colour_lane(&l->on.lit, i))), out);
-        }
+        accumulate_layers(l, out);
         scatter_layers(c, l, &t->queue);
         if (c->scene->plan->radiosity)
             gather_begin_layers(c, l, &t->queue);
     }
-}
-
-/* What a layer gives of light, in all lanes. */
-SIMD_CLONES static void weigh(colour_lanes *restrict lit, colour emitted, colour by, uint32_t n)
-{
-    for (uint32_t i = 0; i < n; i++) {
-        lit->red[i] = by.r * (emitted.r + lit->red[i]);
-        lit->green[i] = by.g * (emitted.g + lit->green[i]);
-        lit->blue[i] = by.b * (emitted.b + lit->blue[i]);
-    }
-}
-
-/* Add what layers of surfaces give, which all have so many of them. A sum that is finite is one of finite terms. */
-static inline void add_layers(const surfaces *s, const colour_lanes *given, uint32_t levels, colour *out)
-{
-    for (uint32_t i = 0; i < s->count; i++) {
-        const path *p = s->at[i].from;
-        colour sum = out[p->lane];
-
-        for (uint32_t k = 0; k < levels; k++)
-            sum = colour_add(sum, colour_mul(p->factor.by, colour_lane(&given[k], i)));
-        if (isfinite(sum.r + sum.g + sum.b))
-            out[p->lane] = sum;
-        else
-            for (uint32_t k = 0; k < levels; k++)
-                accumulate(p, colour_lane(&given[k], i), out);
-    }
-}
-
-SIMD_CLONES static bool are_finite(const float *x, uint32_t n)
-{
-    int out = 0;
-
-    for (uint32_t i = 0; i < n; i++)
-        out |= !(fabsf(x[i]) <= FLT_MAX);
-    return !out;
-}
-
-/* Surfaces of all rays of the camera, whose colours are zero so far, and whose paths carry white. False: some sum is not finite. */
-static bool put_surfaces(const colour_lanes *lit, uint32_t n, colour *out)
-{
-    if (!are_finite(lit->red, n) || !are_finite(lit->green, n) || !are_finite(lit->blue, n))
-        return false;
-    for (uint32_t i = 0; i < n; i++)
-        out[i] = colour_of(0.0f + lit->red[i], 0.0f + lit->green[i], 0.0f + lit->blue[i]);
-    return true;
-}
-
-/* Add what each of them emits, where that is not the same. */
-SIMD_CLONES static void add_emitted(colour_lanes *restrict lit, const colour_lanes *restrict emitted, uint32_t n)
-{
-    for (uint32_t i = 0; i < n; i++) {
-        lit->red[i] = emitted->red[i] + lit->red[i];
-        lit->green[i] = emitted->green[i] + lit->green[i];
-        lit->blue[i] = emitted->blue[i] + lit->blue[i];
-    }
-}
-
-/* firsts: they are the first to add to their rays' colours, all of one batch of the camera. */
-static void add_surfaces(surfaces *s, bool firsts, colour *out)
-{
-    if (s->alike && s->count > 0) {
-        if (s->coloured)
-            add_emitted(&s->lit, &s->emitted, lanes_whole(s->count));
-        else
-            weigh(&s->lit, s->at[0].appearance->emitted, colour_of(1.0f, 1.0f, 1.0f), lanes_whole(s->count));
-        if (!firsts || !put_surfaces(&s->lit, s->count, out))
-            add_layers(s, &s->lit, 1, out);
-        return;
-    }
-    for (uint32_t i = 0; i < s->count; i++)
-        accumulate(s->at[i].from, colour_add(s->at[i].appearance->emitted, colour_lane(&s->lit, i)), out);
 }
 
 /* What surfaces of one term each give. */
@@ -230,40 +154,10 @@ static void shade_surfaces(pov_tracer *t, const batch *b, colour *out)
 
     t->lighting.own = t->queue.mirrored.items[0]->own;
     light_gather(&t->lighting, c, s);
-    add_surfaces(s, t->camera_white && b == &t->camera && s->count == b->count, out);
+    accumulate_surfaces(s, t->camera_white && b == &t->camera && s->count == b->count, out);
     scatter(c, s, &t->queue);
     if (c->scene->plan->radiosity)
         gather_begin(c, s, &t->queue);
-}
-
-/* What the layers of a flat stack give. */
-static void add_stack(const surface *s, const lit_stacks *from, uint32_t lane, colour *out)
-{
-    const stack *of = s->appearance->stack;
-
-    for (uint32_t k = 0; k < of->count; k++) {
-        const stack_layer *one = &of->layers[k];
-
-        accumulate(s->from, colour_mul(one->of.by, colour_add(one->appearance.emitted, colour_lane(&from->lit[k], lane))), out);
-    }
-}
-
-/* The same for surfaces of one stack. */
-static void add_stacks_alike(const surfaces *s, const stack *of, lit_stacks *from, colour *out)
-{
-    for (uint32_t k = 0; k < of->count; k++)
-        weigh(&from->lit[k], of->layers[k].appearance.emitted, of->layers[k].of.by, lanes_whole(s->count));
-    add_layers(s, from->lit, of->count, out);
-}
-
-static void add_stacks(const surfaces *s, const lit_stacks *from, colour *out)
-{
-    for (uint32_t i = 0; i < s->count; i++) {
-        if (s->at[i].appearance->stack)
-            add_stack(&s->at[i], from, i, out);
-        else
-            accumulate(s->at[i].from, colour_add(s->at[i].appearance->emitted, colour_lane(&from->lit[0], i)), out);
-    }
 }
 
 /* What surfaces of one term each give, of which some are flat stacks. */
@@ -273,10 +167,7 @@ static void shade_stacks(pov_tracer *t, colour *out)
 
     t->lighting.own = t->queue.mirrored.items[0]->own;
     light_gather_stacks(&t->lighting, &t->context, s, t->stacks);
-    if (s->alike && s->at[0].appearance->stack)
-        add_stacks_alike(s, s->at[0].appearance->stack, t->stacks, out);
-    else
-        add_stacks(s, t->stacks, out);
+    accumulate_stacks(s, t->stacks, out);
     scatter(&t->context, s, &t->queue);
 }
 
@@ -579,9 +470,7 @@ static void trace(pov_tracer *t, const pov_ray *rays, uint32_t n, unsigned known
     begun = begin(t, rays, n, known);
     if (t->camera.count > 0)
         tracer_follow(t, &t->camera, out);
-    if (!are_finite(&out->r, 3 * n))
-        for (i = 0; i < n; i++)
-            out[i] = accumulate_finite(out[i]);
+    accumulate_end(out, n);
     for (i = 0; t->camera_odd && i < n; i++)
         if (!(begun >> i & 1))
             leave_out(t, &rays[i], &out[i], alpha ? &alpha[i] : NULL);
