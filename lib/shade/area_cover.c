@@ -41,7 +41,6 @@ static bool add_slab(area_cover *c, const pov_outline *solid, uint32_t i, const 
     c->hi[i] = solid->hi[i] - thinner - at;
     c->wide_lo[i] = solid->lo[i] - thinner - at;
     c->wide_hi[i] = solid->hi[i] + thinner - at;
-    c->near += (c->lo[i] < 0.0 ? 0 : 1) + (c->hi[i] > 0.0 ? 0 : 1);
     c->rate[i][0] = pov_dot(n, v->to);
     c->rate[i][1] = pov_dot(n, v->axes[0]);
     c->rate[i][2] = pov_dot(n, v->axes[1]);
@@ -58,7 +57,6 @@ static bool add_quadric(area_cover *c, const pov_outline *solid, const view *v, 
     *outside = *outside || at > off;
     c->constant = at - skin * solid->constant;
     c->wide_constant = at + skin * solid->constant;
-    c->near += c->constant < 0.0 ? 0 : 1;
     c->apart = c->wide_constant > clear * off;
     c->along[0] = pov_dot(g, v->to);
     c->along[1] = pov_dot(g, v->axes[0]);
@@ -80,7 +78,6 @@ bool area_cover_make(area_cover *c, const pov_outline *solid, pov_vec3 from, pov
 
     c->slabs = solid->slabs;
     c->round = solid->round;
-    c->near = 0;
     c->outside = c->apart = false;
     for (uint32_t i = 0; i < solid->slabs; i++)
         thick = thick && add_slab(c, solid, i, &v, &c->outside);
@@ -351,8 +348,8 @@ static double latest(const area_cover *c, const grid_part *p)
     return last;
 }
 
-/* When the first can leave a slab that it is within, and when the quadric that it starts on: its other root is 2 along / square then, but for
- * what little the start is off it. */
+/* When the first can leave a slab that it is within, and when the quadric: its root is -2 along / square from a start on it, but for what little
+ * that is off, and more from within. */
 static double earliest(const area_cover *c, const grid_part *p)
 {
     const double *s = c->square;
@@ -376,7 +373,7 @@ static double earliest(const area_cover *c, const grid_part *p)
 
 bool area_cover_holds(const area_cover *c, const area_cover *other, const grid_part *part)
 {
-    return c->round && c->near == 1 && !(c->constant < 0.0) && latest(other, part) < end * earliest(c, part);
+    return c->round && latest(other, part) < end * earliest(c, part);
 }
 
 /* ---- parts of a grid ---- */

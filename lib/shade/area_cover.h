@@ -15,7 +15,6 @@ typedef struct area_cover {
     uint32_t slabs;
     bool round;
     bool outside;                /* the point certainly is outside */
-    uint32_t near;               /* surfaces of slabs and of the quadric that the point is not certainly within */
     bool apart;                  /* and beyond the quadric, by more than all roundings */
 } area_cover;
 
@@ -27,8 +26,8 @@ bool area_cover_hides(const area_cover *c, const grid_part *part);
 /* Do all of them certainly pass its surface? */
 bool area_cover_misses(const area_cover *c, const grid_part *part);
 
-/* Do all rays to places of the part, which start on the solid's surface, and on no other of its surfaces, and go inward, stay within it until
- * they have left the other solid, from the same point? */
+/* Do all rays to places of the part, which start in the solid or on its surface, stay within it until they have left the other solid, from
+ * the same point? */
 bool area_cover_holds(const area_cover *c, const area_cover *other, const grid_part *part);
 
 /* Parts side by side, in whole vectors; points: each is one place. */

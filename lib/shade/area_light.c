@@ -19,8 +19,7 @@ static area_start start_of(const lighting *l, uint32_t lane)
 {
     const shade_context *c = l->context;
     const surface *s = &l->on->at[lane];
-    const area_start out = { s->at, lanes_at(&l->on->geometry.to.normal, lane), s->coincident ? &c->coincident_sets.items[s->coincident - 1] : NULL,
-                             !c->scene->plan->located && !c->scene->plan->media && !c->blocks };
+    const area_start out = { s->at, lanes_at(&l->on->geometry.to.normal, lane), s->coincident ? &c->coincident_sets.items[s->coincident - 1] : NULL };
 
     return out;
 }

@@ -201,22 +201,21 @@ static int side_of(const shaft *s, pov_vec3 normal)
     return (up ? 1 : 0) - (down ? 1 : 0);
 }
 
-/* Do all rays stay in the object, which they start on, and cross no other surface at once? */
-static bool is_within(const finding *f, uint32_t object)
+/* Do all rays start on the object, which is closed and convex, and go to one side of each surface that they start on? Then they cross the
+ * same ones at once, and those that go into the object leave it once, from its edges too. */
+static bool are_of_one_side(const finding *f, uint32_t object)
 {
     const area_start *s = f->start;
-    bool within = false;
+    bool is_on = false;
 
     if (!s->on)
-        return s->at->object == object && side_of(&f->shaft, s->normal) == (s->at->outside ? -1 : 1);
+        return s->at->object == object && side_of(&f->shaft, s->normal) != 0;
     for (uint32_t i = 0; i < s->on->count; i++) {
-        const bool above = s->on->above >> i & 1;
-
-        if (side_of(&f->shaft, s->on->at[i].normal) != (above ? 1 : -1))
+        if (side_of(&f->shaft, s->on->at[i].normal) == 0)
             return false;
-        within = within || (s->on->at[i].object == object && !above);
+        is_on = is_on || s->on->at[i].object == object;
     }
-    return within;
+    return is_on;
 }
 
 /* Is all of the light outside of a box? */
@@ -240,8 +239,8 @@ static void find_cover(const finding *f, const blocker *b, area_shadow *out)
 {
     out->outlined = b->outlined && area_cover_make(&out->cover, &b->solid, f->plane.from, f->plane.to, f->plane.axes);
     out->hides = out->outlined && b->hides;
-    out->dims = out->outlined && b->dims && f->start->alike && is_beyond(f, &b->box);
-    out->leaves = out->dims && out->cover.near == 1 && is_within(f, b->object);
+    out->dims = out->outlined && b->dims && is_beyond(f, &b->box);
+    out->leaves = out->dims && are_of_one_side(f, b->object);
     out->tree = b->tree;
 }
 
@@ -336,7 +335,7 @@ static uint64_t hidden_of(const area_view *v, uint32_t i, const area_parts *part
     return which ? area_cover_hides_of(&v->shadows[i].cover, parts, which) : 0;
 }
 
-/* Of these parts, those that all segments to cross the i-th shadow's solid, twice, or once on their way out, and nothing else. */
+/* Of these parts, those that all segments to cross the i-th shadow's solid alike, and nothing else. */
 static uint64_t alike_of(const area_view *v, uint32_t i, const area_parts *parts, const uint64_t *may, uint64_t which)
 {
     for (uint32_t k = 0; k < v->count; k++)

@@ -11,7 +11,7 @@
 typedef struct area_shadow {
     grid_part part;
     bool outlined, hides;
-    bool dims, leaves;           /* what crosses it is dimmed alike; and all rays do, once, on their way out of it */
+    bool dims, leaves;           /* what crosses it is dimmed alike; and all rays start on it and cross it as often */
     uint32_t tree;
     area_cover cover;
 } area_shadow;
@@ -21,8 +21,8 @@ enum { AREA_VIEW_MAX = 6 };
 typedef struct area_view { bool dark; uint32_t count; area_shadow shadows[AREA_VIEW_MAX]; } area_view;
 
 /* Where it is seen from: at a completed hit, with the geometric normal there, unit, which faces the ray's start, on coincident surfaces or
- * NULL. alike: nothing dims light but the surfaces that it crosses. */
-typedef struct area_start { const hit *at; pov_vec3 normal; const coincident_set *on; bool alike; } area_start;
+ * NULL. */
+typedef struct area_start { const hit *at; pov_vec3 normal; const coincident_set *on; } area_start;
 /* to: the direction to the light's position. */
 void area_view_find(const shading *scene, const scene_light *from, const area_start *start, pov_vec3 to, area_view *out);
 

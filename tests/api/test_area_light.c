@@ -8,33 +8,39 @@
 
 enum { WIDTH = 48, HEIGHT = 36 };
 
-#define HEAD "#version 3.7; global_settings { assumed_gamma 1 max_trace_level 5 } camera { location <1,3,-6> look_at <0,.6,0> angle 55 }\n"
-#define AREA "light_source { <3,5,-2> rgb 1 area_light 2*x, <0,1,1.5>, 8, 8 }\n"
-#define LIGHTS "#for (I, 0, 7) #for (J, 0, 7) light_source { <3,5,-2> + (I/7-.5)*2*x + (J/7-.5)*<0,1,1.5> rgb 1/64 } #end #end\n"
+/* What is seen, and the middle and the axes of the light. */
+typedef struct view { const char *camera, *middle, *axes[2]; int width, height; } view;
+static const view usual = { "location <1,3,-6> look_at <0,.6,0> angle 55", "<3,5,-2>", { "2*x", "<0,1,1.5>" }, WIDTH, HEIGHT };
 
-static float *render(const char *light, const char *body)
+#define HEAD "#version 3.7; global_settings { assumed_gamma 1 max_trace_level 5 } camera { %s } #declare P = %s; #declare U = %s; #declare V = %s;\n"
+#define AREA "light_source { P rgb 1 area_light U, V, 8, 8 }\n"
+#define LIGHTS "#for (I, 0, 7) #for (J, 0, 7) light_source { P + (I/7-.5)*U + (J/7-.5)*V rgb 1/64 } #end #end\n"
+
+static float *render(const view *v, const char *light, const char *body)
 {
     char text[4096];
 
-    snprintf(text, sizeof text, "%s%s%s", HEAD, light, body);
-    return scenes_draw(text, WIDTH, HEIGHT, 0, 0);
+    snprintf(text, sizeof text, HEAD "%s%s", v->camera, v->middle, v->axes[0], v->axes[1], light, body);
+    return scenes_draw(text, v->width, v->height, 0, 0);
 }
 
 /* Sums of 64 floats differ by their roundings. */
-static void assert_alike(const char *body)
+static void assert_alike_in(const view *v, const char *body)
 {
-    float *area = render(AREA, body), *lights = render(LIGHTS, body);
+    float *area = render(v, AREA, body), *lights = render(v, LIGHTS, body);
     double lit = 0.0;
 
-    for (int i = 0; i < 4 * WIDTH * HEIGHT; i++) {
-        lit += (double)area[i];
+    for (int i = 0; i < 4 * v->width * v->height; i++) {
+        lit += i % 4 < 3 ? (double)area[i] : 0.0;
         if (!(fabs((double)area[i] - (double)lights[i]) < 2e-5))
             fail_msg("%s: value %d is %f, not %f", body, i, (double)area[i], (double)lights[i]);
     }
-    assert_true(lit > 0.3 * WIDTH * HEIGHT);
+    assert_true(lit > 0.05 * v->width * v->height);
     free(area);
     free(lights);
 }
+
+static void assert_alike(const char *body) { assert_alike_in(&usual, body); }
 
 /* The diffuse light of an area is that of its middle: here it is alike from everywhere. Only the shadows of what is not seen
  * are. */
@@ -136,6 +142,52 @@ static void solids_of_glass_that_light_crosses(void **state)
     assert_alike(FLOOR "box { <-5,0,-5>, <5,4.9,5>" GLASS "sphere { <0,1,0>, .8" GLASS);
 }
 
+/* Seen from both sides, and lit on both. */
+#define PANE " pigment { rgbt <.9,.7,.5,.6> } double_illuminate" LIT
+
+/* Rays of the camera hit edges, corners and rims exactly: light leaves the solid once, or at once. */
+static void light_leaves_solids_at_their_edges(void **state)
+{
+    static const view edges = { "location <0,0,-5> direction z up y right x", "<.5,.25,8>", { "4*x", "4*y" }, 39, 38 };
+    static const char *const solids[] = { "box { -1, 1", "box { <-1,-1,-1>, <0,1,3>", "cylinder { -z, z, 1", "cylinder { -y, y, 1", "cone { -z, 1, z, .5",
+                                          "box { -1, 1 matrix <.5,.5,0,-.5,.5,0,0,0,1,0,0,0>", "box { -1, 1 matrix <1,0,0,0,1,0,.25,.5,1,0,0,0>" };
+
+    (void)state;
+    for (size_t i = 0; i < sizeof solids / sizeof solids[0]; i++) {
+        char body[512];
+
+        snprintf(body, sizeof body, "%s" PANE, solids[i]);
+        assert_alike_in(&edges, body);
+    }
+}
+
+/* On a line that is on two surfaces, only a part of the light goes into one of them. */
+static void light_leaves_lines_on_two_surfaces(void **state)
+{
+    static const view line = { "location <0,1.5,-5> direction z up y right x", "<0,.25,8>", { "1.5*x", "4*y" }, 38, 38 };
+
+    (void)state;
+    assert_alike_in(&line, "box { -1, 1" PANE "plane { y, .5" PANE);
+    assert_alike_in(&line, "plane { -y, -.5" PANE "box { -1, 1" PANE);
+}
+
+/* A solid so close below a surface that points cannot be told from its own: light passes its edge. */
+static void light_passes_solids_close_below(void **state)
+{
+    static const view above = { "location <1.9,1,0> direction -y up z*.3 right x*.2", "<6,-.027,0>", { "z", "-.05*y" }, 36, 36 };
+
+    (void)state;
+    assert_alike_in(&above, "plane { y, .001" PANE "box { <-2,-2,-2>, <2,0,2>" PANE);
+}
+
+/* How much of the light is left depends on its way through the solid, or on nothing but what it crosses. */
+static void solids_that_dim_light_by_its_way(void **state)
+{
+    (void)state;
+    assert_alike(FLOOR "box { <-1.5,.1,-1>, <1,1.4,.8> interior { fade_distance .5 fade_power 2 fade_color rgb .2 }" PANE);
+    assert_alike("media { absorption .05 }" FLOOR "box { <-1.5,.1,-1>, <1,1.4,.8> hollow" PANE);
+}
+
 static void a_room_with_the_light_in_it(void **state)
 {
     (void)state;
@@ -161,8 +213,8 @@ static void a_ceiling_does_not_hide_the_light_on_it(void **state)
 
             snprintf(light, sizeof light, "light_source { <2.78,5.488,-1.3> rgb 1 area_light 1.3*x, 1.05*z, 4, 4 %s }\n", grids[g]);
             snprintf(room, sizeof room, "%s%s", FLOOR "sphere { <0,.5,0>, .5 pigment { rgb 1 } }", ceilings[k]);
-            with = render(light, room);
-            without = render(light, FLOOR "sphere { <0,.5,0>, .5 pigment { rgb 1 } }");
+            with = render(&usual, light, room);
+            without = render(&usual, light, FLOOR "sphere { <0,.5,0>, .5 pigment { rgb 1 } }");
             for (int i = 4 * WIDTH * HEIGHT / 2; i < 4 * WIDTH * HEIGHT; i++)   /* below the ceiling */
                 if (with[i] != without[i])
                     fail_msg("%s below %s: value %d is %f, not %f", grids[g], ceilings[k], i, (double)with[i], (double)without[i]);
@@ -175,8 +227,8 @@ static void a_ceiling_does_not_hide_the_light_on_it(void **state)
 static void each_point_of_a_parallel_light_has_a_direction_of_its_own(void **state)
 {
     static const char body[] = FLOOR "sphere { <0,1,0>, .4" MATT "box { <-2,.5,-1>, <-1,.8,1>" MATT "sphere { <3,3,3>, .3" MATT;
-    float *area = render("light_source { <4,5,-2> rgb 1 parallel point_at <1,0,.5> area_light <3,-1,0>, y, 2, 1 }\n", body);
-    float *lights = render("light_source { <5.5,4.5,-2> rgb .5 parallel point_at <1,0,.5> }"
+    float *area = render(&usual, "light_source { <4,5,-2> rgb 1 parallel point_at <1,0,.5> area_light <3,-1,0>, y, 2, 1 }\n", body);
+    float *lights = render(&usual, "light_source { <5.5,4.5,-2> rgb .5 parallel point_at <1,0,.5> }"
                            "light_source { <2.5,5.5,-2> rgb .5 parallel point_at <1,0,.5> }\n", body);
 
     (void)state;
@@ -270,6 +322,10 @@ int main(void)
         cmocka_unit_test(glass_and_what_casts_no_shadow),
         cmocka_unit_test(curved_walls_that_are_clipped),
         cmocka_unit_test(solids_of_glass_that_light_crosses),
+        cmocka_unit_test(light_leaves_solids_at_their_edges),
+        cmocka_unit_test(light_leaves_lines_on_two_surfaces),
+        cmocka_unit_test(light_passes_solids_close_below),
+        cmocka_unit_test(solids_that_dim_light_by_its_way),
         cmocka_unit_test(a_room_with_the_light_in_it),
         cmocka_unit_test(parallel_spotlights_shine_ahead),
         cmocka_unit_test(points_that_turn_have_cones_of_their_own),
