@@ -1,11 +1,11 @@
 #include "bvh/shaft.h"
 
 #include "base/simd.h"
+#include "base/vec3.h"
 
 /* Far more than the errors of roundings here, relative to the sizes of what is rounded. */
 static const double slack = 0x1p-40;
 
-static inline double sum_of(pov_vec3 v) { return fabs(v.x) + fabs(v.y) + fabs(v.z); }
 static inline double lesser(double a, double b) { return a < b ? a : b; }
 static inline double greater(double a, double b) { return a > b ? a : b; }
 
@@ -13,10 +13,10 @@ static inline double greater(double a, double b) { return a > b ? a : b; }
 static void make_flank(shaft *s, int i, pov_vec3 middle)
 {
     const pov_vec3 a = s->corner[i], b = s->corner[(i + 1) & 3], normal = pov_cross_product(a, b);
-    const double error = slack * (sum_of(a) + s->size) * (sum_of(b) + s->size), inside = pov_dot(normal, middle);
+    const double error = slack * (vec3_sum(a) + s->size) * (vec3_sum(b) + s->size), inside = pov_dot(normal, middle);
 
     s->normal[i] = inside > 0.0 ? pov_scale(normal, -1.0) : normal;
-    s->error[i] = fabs(inside) > error * (sum_of(middle) + s->size) ? error : HUGE_VAL;
+    s->error[i] = fabs(inside) > error * (vec3_sum(middle) + s->size) ? error : HUGE_VAL;
 }
 
 static void make_box(shaft *s)
@@ -42,9 +42,9 @@ static bool make(shaft *s, pov_vec3 from, const pov_vec3 corner[4], double size)
     s->from = from;
     for (int i = 0; i < 4; i++) {
         s->corner[i] = corner[i];
-        longest = greater(longest, sum_of(corner[i]));
+        longest = greater(longest, vec3_sum(corner[i]));
     }
-    s->size = sum_of(from) + longest + size;
+    s->size = vec3_sum(from) + longest + size;
     if (!(s->size < 1e60))
         return false;
     make_box(s);
@@ -62,12 +62,12 @@ static pov_vec3 rotated(const pov_vec3 column[3], pov_vec3 v)
 
 bool shaft_move(const shaft *s, const pov_vec3 column[3], pov_vec3 anchor, pov_vec3 to, shaft *out)
 {
-    const double largest = sum_of(column[0]) + sum_of(column[1]) + sum_of(column[2]);
+    const double largest = vec3_sum(column[0]) + vec3_sum(column[1]) + vec3_sum(column[2]);
     pov_vec3 corner[4];
 
     for (int i = 0; i < 4; i++)
         corner[i] = rotated(column, s->corner[i]);
-    return make(out, pov_add(rotated(column, pov_sub(s->from, anchor)), to), corner, largest * (s->size + sum_of(anchor)) + sum_of(to));
+    return make(out, pov_add(rotated(column, pov_sub(s->from, anchor)), to), corner, largest * (s->size + vec3_sum(anchor)) + vec3_sum(to));
 }
 
 /* A shaft in a frame. */
@@ -85,7 +85,7 @@ static inline void put(double out[3], pov_vec3 v)
 
 static void enter(const shaft *s, const bvh_frame *frame, local *l)
 {
-    const double size = (s->size + sum_of(frame->centre)) * frame->scale, more = slack * size;
+    const double size = (s->size + vec3_sum(frame->centre)) * frame->scale, more = slack * size;
     const pov_vec3 around = pov_vec3_of(more, more, more);
 
     put(l->from, pov_scale(pov_sub(s->from, frame->centre), frame->scale));
@@ -199,7 +199,7 @@ static bool is_beyond(const shaft *s, int i, const pov_box *box, double size)
 
 bool shaft_may_overlap(const shaft *s, const pov_box *box)
 {
-    const double size = s->size + sum_of(box->lo) + sum_of(box->hi), more = slack * size;
+    const double size = s->size + vec3_sum(box->lo) + vec3_sum(box->hi), more = slack * size;
     const pov_box both = { pov_vec3_of(greater(box->lo.x, s->lo.x - more), greater(box->lo.y, s->lo.y - more), greater(box->lo.z, s->lo.z - more)),
                            pov_vec3_of(lesser(box->hi.x, s->hi.x + more), lesser(box->hi.y, s->hi.y + more), lesser(box->hi.z, s->hi.z + more)) };
 
@@ -234,7 +234,7 @@ bool shaft_may_cross(const shaft *s, pov_vec3 normal, double distance)
 
 bool shaft_may_overlap_triangle(const shaft *s, const pov_vec3 corner[3], pov_vec3 normal, bool touches)
 {
-    const double size = s->size + sum_of(corner[0]) + sum_of(corner[1]) + sum_of(corner[2]);
+    const double size = s->size + vec3_sum(corner[0]) + vec3_sum(corner[1]) + vec3_sum(corner[2]);
     double least, most;
 
     for (int i = 0; i < 4; i++) {

@@ -1,8 +1,8 @@
 #include "photon/view.h"
 
-/* ---- screens ---- */
+#include "base/vec3.h"
 
-static bool is_same(pov_vec3 a, pov_vec3 b) { return a.x == b.x && a.y == b.y && a.z == b.z; }
+/* ---- screens ---- */
 
 /* The rows of the inverse of the matrix of these columns. False: it has none. */
 static bool invert(pov_vec3 x, pov_vec3 y, pov_vec3 z, pov_vec3 row[3])
@@ -20,10 +20,10 @@ static bool invert(pov_vec3 x, pov_vec3 y, pov_vec3 z, pov_vec3 row[3])
 bool photon_screen_make(photon_screen *out, const pov_ray corners[3], int width, int height)
 {
     const pov_ray *first = &corners[0], *right = &corners[1], *down = &corners[2];
-    const bool parallel = is_same(first->dir, right->dir) && is_same(first->dir, down->dir);
+    const bool parallel = vec3_is_same(first->dir, right->dir) && vec3_is_same(first->dir, down->dir);
     pov_vec3 x, y;
 
-    if (!parallel && !(is_same(first->org, right->org) && is_same(first->org, down->org)))
+    if (!parallel && !(vec3_is_same(first->org, right->org) && vec3_is_same(first->org, down->org)))
         return false;
     x = parallel ? pov_sub(right->org, first->org) : pov_sub(right->dir, first->dir);
     y = parallel ? pov_sub(down->org, first->org) : pov_sub(down->dir, first->dir);

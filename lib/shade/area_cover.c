@@ -4,13 +4,12 @@
 #include "shade/area_cover.h"
 
 #include "base/lane_mask.h"
+#include "base/vec3.h"
 
 #include <math.h>
 #include <string.h>
 
 static const double skin = 0x1p-10, roundings = 0x1p-36, clear = 0x1p10, end = 1.0 - 0x1p-8, beyond = 1.0 + 0x1p-8;
-
-static double sum_of(pov_vec3 v) { return fabs(v.x) + fabs(v.y) + fabs(v.z); }
 
 /* The square part of a quadric, times v. */
 static pov_vec3 times(const double s[6], pov_vec3 v)
@@ -34,7 +33,7 @@ typedef struct view { pov_vec3 at, to, axes[2]; double size; } view;
 static bool add_slab(area_cover *c, const pov_outline *solid, uint32_t i, const view *v, bool *outside)
 {
     const pov_vec3 n = solid->normal[i];
-    const double at = pov_dot(n, v->at), off = roundings * sum_of(n) * v->size, thinner = skin * (solid->hi[i] - solid->lo[i]);
+    const double at = pov_dot(n, v->at), off = roundings * vec3_sum(n) * v->size, thinner = skin * (solid->hi[i] - solid->lo[i]);
 
     *outside = *outside || at < solid->lo[i] - off || at > solid->hi[i] + off;
     c->lo[i] = solid->lo[i] + thinner - at;
@@ -52,7 +51,7 @@ static bool add_quadric(area_cover *c, const pov_outline *solid, const view *v, 
     const double *s = solid->square;
     const pov_vec3 a = times(s, v->axes[0]), b = times(s, v->axes[1]), g = pov_add(times(s, v->at), solid->linear);
     const double at = pov_dot(pov_add(g, solid->linear), v->at) + solid->constant;
-    const double off = roundings * v->size * (largest_of(s) * v->size + sum_of(solid->linear));
+    const double off = roundings * v->size * (largest_of(s) * v->size + vec3_sum(solid->linear));
 
     *outside = *outside || at > off;
     c->constant = at - skin * solid->constant;
@@ -73,7 +72,7 @@ static bool add_quadric(area_cover *c, const pov_outline *solid, const view *v, 
 bool area_cover_make(area_cover *c, const pov_outline *solid, pov_vec3 from, pov_vec3 to, const pov_vec3 axes[2])
 {
     const view v = { pov_sub(from, solid->centre), to, { axes[0], axes[1] },
-                     sum_of(from) + sum_of(solid->centre) + sum_of(to) + sum_of(axes[0]) + sum_of(axes[1]) };
+                     vec3_sum(from) + vec3_sum(solid->centre) + vec3_sum(to) + vec3_sum(axes[0]) + vec3_sum(axes[1]) };
     bool thick = true;
 
     c->slabs = solid->slabs;

@@ -1,5 +1,7 @@
 #include "shade/area_view.h"
 
+#include "base/vec3.h"
+
 /* The light's plane from a point: the point to + u axes[0] + v axes[1] lies in the direction x with
  * u = of[0] . x / (across . x), v = of[1] . x / (across . x). */
 typedef struct plane {
@@ -11,8 +13,6 @@ typedef struct plane {
 static const double slanted = 0x1p-16, near_by = 0x1p-8, thin = 0x1p-14, small = 0x1p-10;
 /* Wider than these by far, in widths of the light. */
 static const double margin = 0x1p-8;
-
-static double sum_of(pov_vec3 v) { return fabs(v.x) + fabs(v.y) + fabs(v.z); }
 
 static bool make_plane(const light *l, pov_vec3 from, pov_vec3 to, plane *p)
 {
@@ -29,10 +29,10 @@ static bool make_plane(const light *l, pov_vec3 from, pov_vec3 to, plane *p)
         p->of[0] = pov_scale(p->of[0], -1.0);
         p->of[1] = pov_scale(p->of[1], -1.0);
     }
-    p->size = sum_of(from) + sum_of(to);
-    across = sum_of(p->across);
+    p->size = vec3_sum(from) + vec3_sum(to);
+    across = vec3_sum(p->across);
     p->least = slanted * across;
-    return across > thin * sum_of(to) * (sum_of(p->axes[0]) + sum_of(p->axes[1])) && p->size < 1e60;
+    return across > thin * vec3_sum(to) * (vec3_sum(p->axes[0]) + vec3_sum(p->axes[1])) && p->size < 1e60;
 }
 
 static void widen(grid_part *part)
@@ -50,7 +50,7 @@ typedef struct bounds { double first, last, least_behind, most_behind; bool open
 static void add_corner(const plane *p, int axis, const grid_part *all, pov_vec3 x, bounds *b)
 {
     const double depth = pov_dot(p->across, x), along = pov_dot(p->of[axis], x);
-    const double least = p->least * (sum_of(x) + near_by * p->size), u = along / depth;
+    const double least = p->least * (vec3_sum(x) + near_by * p->size), u = along / depth;
 
     if (depth > least) {
         b->first = u < b->first ? u : b->first;
@@ -127,7 +127,7 @@ static void cut_axis(double height, const double rise[2], int axis, const grid_p
 static void project_plane(const plane *p, const grid_part *all, const pov_half_space *h, grid_part *out)
 {
     const double start = pov_dot(h->normal, p->from) - h->distance, side = start < 0.0 ? -1.0 : 1.0;
-    const double doubt = thin * thin * (p->size + sum_of(p->axes[0]) + sum_of(p->axes[1]) + fabs(h->distance));
+    const double doubt = thin * thin * (p->size + vec3_sum(p->axes[0]) + vec3_sum(p->axes[1]) + fabs(h->distance));
     const double height = side * (start + pov_dot(h->normal, p->to)) - doubt;
     const double rise[2] = { side * pov_dot(h->normal, p->axes[0]), side * pov_dot(h->normal, p->axes[1]) };
 
@@ -193,7 +193,7 @@ static int side_of(const shaft *s, pov_vec3 normal)
     bool up = true, down = true;
 
     for (int i = 0; i < 4; i++) {
-        const double along = pov_dot(s->corner[i], normal), least = WORLD_GRAZING * sum_of(s->corner[i]);
+        const double along = pov_dot(s->corner[i], normal), least = WORLD_GRAZING * vec3_sum(s->corner[i]);
 
         up = up && along > least;
         down = down && -along > least;

@@ -175,7 +175,6 @@ typedef struct beams {
     const path *from[BATCH_MAX];
 } beams;
 
-
 /* Points of an area light for each sample on a segment, each of an equal part of its weight. */
 enum { AREA_POINTS = 4 };
 

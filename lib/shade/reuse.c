@@ -1,6 +1,7 @@
 #include "shade/reuse.h"
 
 #include "base/simd.h"
+#include "base/vec3.h"
 #include "shade/gather.h"
 
 static const double inverse_pi = 0.31830988618379067;
@@ -144,11 +145,9 @@ static bool arrives(const hit *h, uint32_t object)
 
 /* ---- flat parts ---- */
 
-static bool is_same(pov_vec3 a, pov_vec3 b) { return a.x == b.x && a.y == b.y && a.z == b.z; }
-
 static bool is_on(const reuse *r, const flat *f, uint32_t i)
 {
-    return r->from_object[i] == f->object && r->outside[i] == f->outside && is_same(lanes_at(&r->face, i), f->normal);
+    return r->from_object[i] == f->object && r->outside[i] == f->outside && vec3_is_same(lanes_at(&r->face, i), f->normal);
 }
 
 /* A rectangle across a normal, from a point. */
@@ -216,7 +215,7 @@ void reuse_find_flats(const reuse *r, uint32_t from, uint32_t to, flats *out)
 
 static bool is_one_side(const flat *a, const flat *b)
 {
-    return a->object == b->object && a->outside == b->outside && is_same(a->normal, b->normal);
+    return a->object == b->object && a->outside == b->outside && vec3_is_same(a->normal, b->normal);
 }
 
 /* Widen the rectangle to hold one in its plane. False: it lies in another. */

@@ -2,6 +2,7 @@
 
 #include "base/lane_mask.h"
 #include "base/simd.h"
+#include "base/vec3.h"
 #include "shade/haze.h"
 
 /* Rays from coincident surfaces are traced one by one. Bits by ray: `which` are those, and of them the result those that are lit. */
@@ -23,8 +24,6 @@ static uint64_t trace_coincident(const lighting *l, segment_end end, uint64_t *w
     return lit;
 }
 
-static bool is_equal(pov_vec3 a, pov_vec3 b) { return a.x == b.x && a.y == b.y && a.z == b.z; }
-
 /* Some of the rays, as bits: those from several surfaces at one hit are traced once. */
 static uint64_t trace_hits(const lighting *l, segment_end end, uint64_t which, colour *through)
 {
@@ -41,7 +40,7 @@ static uint64_t trace_hits(const lighting *l, segment_end end, uint64_t which, c
         const uint32_t i = first_of64(rest);
         const surface *s = &l->on->at[l->of[i]];
 
-        if (s->at != last || !is_equal(l->rays[i]->dir, rays[n - 1]->dir)) {
+        if (s->at != last || !vec3_is_same(l->rays[i]->dir, rays[n - 1]->dir)) {
             from[n] = s->from;
             if (end.at && end.by_ray)
                 ends[n] = end.at[i];

@@ -3,6 +3,7 @@
 #include "base/elementary.h"
 #include "base/err.h"
 #include "base/simd.h"
+#include "base/vec3.h"
 #include "shade/accumulate.h"
 #include "shade/gather.h"
 #include "shade/photon_flight.h"
@@ -200,8 +201,6 @@ static void shade_batch(pov_tracer *t, batch *b, colour *out)
 
 /* ---- camera rays ---- */
 
-static bool is_same(pov_vec3 a, pov_vec3 b) { return a.x == b.x && a.y == b.y && a.z == b.z; }
-
 /* Rays of invalid cameras have no direction, or are not numbers. */
 static bool is_start(pov_vec3 org) { return isfinite(org.x + org.y + org.z); }
 
@@ -240,7 +239,7 @@ static uint32_t filled_at(pov_tracer *t, const pov_ray *ray)
 {
     filled_start *at = &t->filled;
 
-    if (!at->known || !is_same(at->org, ray->org) || !is_same(at->org_lo, ray->org_lo)) {
+    if (!at->known || !vec3_is_same(at->org, ray->org) || !vec3_is_same(at->org_lo, ray->org_lo)) {
         at->known = true;
         at->org = ray->org;
         at->org_lo = ray->org_lo;

@@ -1,12 +1,12 @@
 /* The outline of an instanced shape, in the world. */
 #include "world/instance.h"
 
+#include "base/vec3.h"
+
 #include <math.h>
 
 /* The anchor, in object space, and the shape's middle must not be farther from the origin than this many of its smallest half extent. */
 static const double farthest = 0x1p20;
-
-static double sum_of(pov_vec3 v) { return fabs(v.x) + fabs(v.y) + fabs(v.z); }
 
 /* A covector of object space: one of the world. */
 static pov_vec3 pull(const instance_xform *p, pov_vec3 v)
@@ -40,7 +40,7 @@ static void move_quadric(const instance_xform *p, pov_vec3 from, pov_outline *io
 bool instance_outline(const instance_xform *p, pov_outline *io)
 {
     const pov_vec3 from = pov_sub(p->own_anchor, io->centre);
-    const double size = sum_of(p->own_anchor) + sum_of(io->centre);
+    const double size = vec3_sum(p->own_anchor) + vec3_sum(io->centre);
     const double largest = fmax(fmax((double)p->per_half[0], (double)p->per_half[1]), (double)p->per_half[2]);
 
     for (uint32_t i = 0; i < io->slabs; i++) {
