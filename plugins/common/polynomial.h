@@ -60,8 +60,13 @@ static inline double common_polynomial_reach(const common_ray *k, pov_vec3 from,
  * distance. */
 static inline double common_polynomial_ahead(const common_ray *k) { return 2.0 * pov_largest(pov_two3_hi(k->f)); }
 
+/* Coefficients in the distance from o along d, order + 1 of them; the last ones may be zero. */
+void common_polynomial_along(const common_polynomial *p, pov_vec3 o, pov_vec3 d, double *out);
 /* For coefficients along a ray, a power of two about as large as the nearer roots are. */
 double common_polynomial_near(const double *c, int degree);
+
+/* The value at a point, and the slope. */
+double common_polynomial_at(const common_polynomial *p, pov_vec3 at, pov_vec3 *slope);
 
 /* A crossing as double has it, at a distance t from a base, and the slope there along the ray. On a stretch of that length, `size` is no less
  * than the sum of the terms' sizes. */
