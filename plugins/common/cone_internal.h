@@ -1,4 +1,4 @@
-/* cone_parts.h - declarations for the files of cylinders and cones only. */
+/* cone_internal.h - declarations for the files of cylinders and cones only. */
 #ifndef COMMON_CONE_INTERNAL_H
 #define COMMON_CONE_INTERNAL_H
 
