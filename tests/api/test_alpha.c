@@ -19,21 +19,14 @@ typedef struct bytes_kept { unsigned char data[64]; size_t count; } bytes_kept;
 static float *draw(const char *head, const char *body, int samples)
 {
     pov_render_desc desc = POV_INIT(desc);
-    pov_context *context = scenes_context();
-    pov_scene *scene;
     char text[1024];
-    float *picture;
 
     snprintf(text, sizeof text, "%s camera { orthographic location <0,0,-10> right 4*x up 3*y }\n%s", head, body);
-    scene = scenes_text(context, text);
     desc.width = WIDTH;
     desc.height = HEIGHT;
     desc.samples = samples;
     desc.alpha = 1;
-    picture = scenes_render(scene, &desc);
-    pov_scene_destroy(scene);
-    pov_context_destroy(context);
-    return picture;
+    return scenes_draw_as(text, &desc);
 }
 
 #define NEW "#version 3.7; global_settings { assumed_gamma 1 } "

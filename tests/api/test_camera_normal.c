@@ -10,23 +10,14 @@ enum { WIDTH = 9, HEIGHT = 7 };
 /* What the middle of the picture sees of a small sphere in direction (x, y, 1). */
 static float middle(const char *normal, double x, double y, int samples)
 {
-    pov_render_desc desc = POV_INIT(desc);
-    pov_context *context = scenes_context();
-    pov_scene *scene;
     char text[512];
     float *picture, seen;
 
     snprintf(text, sizeof text, "#version 3.7; global_settings { assumed_gamma 1 } camera { location <3, 4, 5> %s }\n"
              "sphere { <3 + 10 * %f, 4 + 10 * %f, 15>, 0.1 pigment { rgb 1 } finish { ambient 0 diffuse 0 emission 1 } }", normal, x, y);
-    scene = scenes_text(context, text);
-    desc.width = WIDTH;
-    desc.height = HEIGHT;
-    desc.samples = samples;
-    picture = scenes_render(scene, &desc);
+    picture = scenes_draw(text, WIDTH, HEIGHT, samples, 0);
     seen = picture[4 * (HEIGHT / 2 * WIDTH + WIDTH / 2)];
     free(picture);
-    pov_scene_destroy(scene);
-    pov_context_destroy(context);
     return seen;
 }
 

@@ -26,24 +26,16 @@ typedef struct sample { const char *light, *look; double red, green, blue; } sam
 
 static void see(const sample *s, float *out)
 {
-    pov_render_desc desc = POV_INIT(desc);
-    pov_context *context = scenes_context();
-    pov_scene *scene;
     char text[1024];
     float *picture;
 
     snprintf(text, sizeof text, "#version 3.7; global_settings { assumed_gamma 1 } background { rgb <.5,.6,.7> }\n"
              "camera { orthographic location <0,0,-10> direction z right 4*x up 3*y }\n"
              "light_source { %s }\nsphere { 0, 1.45 %s }\n", s->light, s->look);
-    scene = scenes_text(context, text);
-    desc.width = WIDTH;
-    desc.height = HEIGHT;
-    picture = scenes_render(scene, &desc);
+    picture = scenes_draw(text, WIDTH, HEIGHT, 0, 0);
     for (int i = 0; i < 3; i++)
         out[i] = picture[4 * (ROW * WIDTH + COLUMN) + i];
     free(picture);
-    pov_scene_destroy(scene);
-    pov_context_destroy(context);
 }
 
 static void check(const sample *samples, size_t count)

@@ -16,18 +16,12 @@ enum { WIDTH = 9, HEIGHT = 7 };
 static void assert_seen(const char *body, double red, double green, double blue)
 {
     const double wanted[3] = { red, green, blue };
-    pov_render_desc desc = POV_INIT(desc);
-    pov_context *context = scenes_context();
-    pov_scene *scene;
     char text[1024];
     float *picture;
 
     snprintf(text, sizeof text, "#version 3.7; global_settings { assumed_gamma 1 max_trace_level 10 adc_bailout 0 } background { rgb 1 }\n"
              "camera { orthographic location <0,0,-10> right 4*x up 3*y }\n%s", body);
-    scene = scenes_text(context, text);
-    desc.width = WIDTH;
-    desc.height = HEIGHT;
-    picture = scenes_render(scene, &desc);
+    picture = scenes_draw(text, WIDTH, HEIGHT, 0, 0);
     for (int i = 0; i < 3; i++) {
         const double seen = (double)picture[4 * (HEIGHT / 2 * WIDTH + WIDTH / 2) + i];
 
@@ -35,8 +29,6 @@ static void assert_seen(const char *body, double red, double green, double blue)
             fail_msg("%s: channel %d is %f", body, i, seen);
     }
     free(picture);
-    pov_scene_destroy(scene);
-    pov_context_destroy(context);
 }
 
 static void light_fades_where_a_ray_leaves_a_solid(void **state)

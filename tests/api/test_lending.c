@@ -88,18 +88,12 @@ static void the_light_of_first_samples_has_no_steps(void **state)
 static float *draw(const char *of, int edge, int samples, unsigned seed, int threads)
 {
     pov_render_desc desc = POV_INIT(desc);
-    pov_context *context = scenes_context();
-    pov_scene *scene = scenes_text(context, of);
-    float *rgba;
 
     desc.width = desc.height = edge;
     desc.samples = samples;
     desc.seed = seed;
     desc.threads = threads;
-    rgba = scenes_render(scene, &desc);
-    pov_scene_destroy(scene);
-    pov_context_destroy(context);
-    return rgba;
+    return scenes_draw_as(of, &desc);
 }
 
 /* A wall that gives light, and a floor, of which each place sees the wall in half of its directions, however near it is. */

@@ -9,23 +9,15 @@
 static void assert_seen(const char *version, const char *body, double red, double green, double blue)
 {
     const double wanted[3] = { red, green, blue };
-    pov_render_desc desc = POV_INIT(desc);
-    pov_context *context = scenes_context();
-    pov_scene *scene;
     char text[1024];
     float *picture;
 
     snprintf(text, sizeof text, "#version %s; global_settings { assumed_gamma 1 } camera { location 0 look_at y + z }\n%s", version, body);
-    scene = scenes_text(context, text);
-    desc.width = 3;
-    desc.height = 3;
-    picture = scenes_render(scene, &desc);
+    picture = scenes_draw(text, 3, 3, 0, 0);
     for (int i = 0; i < 3; i++)
         if (fabs((double)picture[4 * 4 + i] - wanted[i]) > 2e-6)
             fail_msg("%s %s: channel %d is %f", version, body, i, (double)picture[4 * 4 + i]);
     free(picture);
-    pov_scene_destroy(scene);
-    pov_context_destroy(context);
 }
 
 #define BEHIND "background { rgb <.2, .4, .8> } "

@@ -103,19 +103,24 @@ bool scenes_is_one_of(const char *path, const char *const *names)
     return false;
 }
 
+float *scenes_draw_as(const char *text, const pov_render_desc *desc)
+{
+    pov_context *context = scenes_context();
+    pov_scene *scene = scenes_text(context, text);
+    float *picture = scenes_render(scene, desc);
+
+    pov_scene_destroy(scene);
+    pov_context_destroy(context);
+    return picture;
+}
+
 float *scenes_draw(const char *text, int width, int height, int samples, int threads)
 {
     pov_render_desc desc = POV_INIT(desc);
-    pov_context *context = scenes_context();
-    pov_scene *scene = scenes_text(context, text);
-    float *picture;
 
     desc.width = width;
     desc.height = height;
     desc.samples = samples;
     desc.threads = threads;
-    picture = scenes_render(scene, &desc);
-    pov_scene_destroy(scene);
-    pov_context_destroy(context);
-    return picture;
+    return scenes_draw_as(text, &desc);
 }

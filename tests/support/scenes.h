@@ -21,7 +21,9 @@ pov_context *scenes_context(void);
 float *scenes_render(const pov_scene *scene, const pov_render_desc *desc);
 /* Load text, or fail the test. */
 pov_scene *scenes_text(pov_context *context, const char *text);
-/* Load text and render it; 0 samples or threads: the defaults. */
+/* Load text and render it. */
+float *scenes_draw_as(const char *text, const pov_render_desc *desc);
+/* 0 samples or threads: the defaults. */
 float *scenes_draw(const char *text, int width, int height, int samples, int threads);
 
 #endif

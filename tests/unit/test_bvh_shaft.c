@@ -45,6 +45,8 @@ static bool holds(const pov_box *b, pov_vec3 p)
 
 static const double scales[] = { 1.0, 1e-12, 1e12 };
 
+static pov_vec3 draw_place(int round, double scale) { return round % 2 ? pov_scale(anywhere(1.0), 1e3 * scale) : pov_vec3_of(0.0, 0.0, 0.0); }
+
 static void no_point_of_a_shaft_is_in_a_box_that_it_misses(void **state)
 {
     int missed = 0, rounds = 0;
@@ -52,7 +54,7 @@ static void no_point_of_a_shaft_is_in_a_box_that_it_misses(void **state)
 
     for (int round = 0; round < 60000; round++) {
         const double scale = scales[round % 3];
-        const pov_vec3 place = round % 2 ? pov_scale(anywhere(1.0), 1e3 * scale) : pov_vec3_of(0.0, 0.0, 0.0);
+        const pov_vec3 place = draw_place(round, scale);
         const pov_vec3 lo = pov_add(place, pov_scale(anywhere(4.0), scale)), size = pov_scale(anywhere(1.0), scale);
         const pov_box box = { lo, pov_add(lo, pov_vec3_of(fabs(size.x), fabs(size.y), fabs(size.z))) };
         area a;
@@ -135,6 +137,17 @@ static void a_plane_between_point_and_area_crosses_the_shaft_and_one_behind_does
     assert_false(shaft_may_cross(&s, up, 5.000001));
 }
 
+/* By the place of the area that the point is before, and how far from there. */
+static bool is_well_in(const area *a, pov_vec3 p)
+{
+    const pov_vec3 n = pov_cross_product(a->axes[0], a->axes[1]), d = pov_sub(p, a->from);
+    const double share = pov_dot(d, n) / pov_dot(a->to, n), per = 1.0 / pov_dot(n, n);
+    const pov_vec3 at = pov_sub(pov_scale(d, 1.0 / share), a->to);
+    const double right = pov_dot(pov_cross_product(at, a->axes[1]), n) * per, down = pov_dot(pov_cross_product(a->axes[0], at), n) * per;
+
+    return share > 0.0 && share < 1.0 && fabs(right) < 0.4999 && fabs(down) < 0.4999;
+}
+
 /* A triangle around a point of a shaft overlaps it; and no point of one that it misses is in one. */
 static void no_point_of_a_shaft_is_in_a_triangle_that_it_misses(void **state)
 {
@@ -143,7 +156,7 @@ static void no_point_of_a_shaft_is_in_a_triangle_that_it_misses(void **state)
 
     for (int round = 0; round < 60000; round++) {
         const double scale = scales[round % 3];
-        const pov_vec3 place = round % 2 ? pov_scale(anywhere(1.0), 1e3 * scale) : pov_vec3_of(0.0, 0.0, 0.0);
+        const pov_vec3 place = draw_place(round, scale);
         pov_vec3 corner[3], middle, normal;
         area a;
 
@@ -164,12 +177,8 @@ static void no_point_of_a_shaft_is_in_a_triangle_that_it_misses(void **state)
         for (int i = 0; i < 20; i++) {
             const double u = uniform(0.0, 1.0), v = uniform(0.0, 1.0), x = u + v > 1.0 ? 1.0 - u : u, y = u + v > 1.0 ? 1.0 - v : v;
             const pov_vec3 p = pov_add(corner[0], pov_add(pov_scale(pov_sub(corner[1], corner[0]), x), pov_scale(pov_sub(corner[2], corner[0]), y)));
-            const pov_vec3 d = pov_sub(p, a.from);
-            const double across = pov_dot(d, pov_cross_product(a.axes[0], a.axes[1])), whole = pov_dot(a.to, pov_cross_product(a.axes[0], a.axes[1]));
-            const pov_vec3 at = pov_sub(pov_scale(d, whole / across), a.to), n = pov_cross_product(a.axes[0], a.axes[1]);
-            const double right = pov_dot(pov_cross_product(at, a.axes[1]), n) / pov_dot(n, n), down = pov_dot(pov_cross_product(a.axes[0], at), n) / pov_dot(n, n);
 
-            assert_false(across / whole > 0.0 && across / whole < 1.0 && fabs(right) < 0.4999 && fabs(down) < 0.4999);
+            assert_false(is_well_in(&a, p));
         }
     }
     assert_true(missed > rounds / 4 && missed < rounds);
