@@ -10,8 +10,8 @@
 
 static bool holds_as(pov_reader *in, const object_parsed *o, pov_vec3 point, bool cuts);
 
-/* Does the group hold a point that `but`, one of its members, is taken to hold, or not to? If it is turned, does its complement: what
- * the complements of members make of it, as a surface or what is clipped has one of its own. */
+/* Does the group hold the point, where `but`, one of its members, is taken to hold it, or not to? turned: does its complement? That is
+ * made of the complements of members, for a surface, or what is clipped, has one of its own. */
 static bool group_holds(pov_reader *in, const object_parsed *o, pov_vec3 point, bool turned, const object_parsed *but, bool but_holds)
 {
     const bool any = (o->op == NODE_UNION || o->op == NODE_MERGE) != turned;
@@ -57,11 +57,11 @@ static bool holds_as(pov_reader *in, const object_parsed *o, pov_vec3 point, boo
         return false;
     if (subject_map(o, &map))
         point = subject_back(&map, point, 1.0);
+    if (o->kind == OBJECT_GROUP)
+        return group_holds(in, o, point, turned, NULL, false);
     if (o->kind == OBJECT_LEAF && subject_begin(in, o, &s)) {
         holds = shape_is_solid(s.shape, o->leaf.instance) ? s.shape->inside(s.self, point, zero) : turned;
         subject_end(in, &s);
-    } else if (o->kind == OBJECT_GROUP) {
-        return group_holds(in, o, point, turned, NULL, false);
     }
     return holds != turned;
 }

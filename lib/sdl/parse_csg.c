@@ -314,12 +314,14 @@ static bool is_parted(const object_parsed *o, const around *a)
 {
     bool is_seen = false, is_hidden = false;
 
+    if (o->op != NODE_MERGE || (o->flags & LEAF_INVERSE))
+        return false;
     for (; a; a = a->outer)
         if (!is_union(a->group) || (a->group->flags & LEAF_INVERSE))
             return false;
     for (const object_parsed *member = o->first; member; member = member->next)
         *(is_unpictured(member, o) ? &is_hidden : &is_seen) = true;
-    return o->op == NODE_MERGE && !(o->flags & LEAF_INVERSE) && is_hidden && is_seen;
+    return is_hidden && is_seen;
 }
 
 /* Of a merge that is parted those that the camera sees, or the others. */

@@ -58,8 +58,8 @@ static bool has_own_complements(const model *m, const group_node *g)
     return false;
 }
 
-/* The complement of a group whose members have their own, as what is clipped has, and a surface, which stays one: of a union what the complements of its children have in common, else what
- * any of them holds. */
+/* The complement of a group with members that have complements of their own: that of what is clipped is clipped too, and a surface
+ * stays one. Of a union it is what the complements of its children have in common, else what any of them holds. */
 static node_ref add_complement(making *k, const group_node *g, uint32_t parent, inherited from)
 {
     const bool united = g->op == NODE_UNION || g->op == NODE_MERGE;
