@@ -5,25 +5,42 @@
 #include <math.h>
 #include <stdio.h>
 
+/* The z at which a ray along it comes upon something. */
+static double first_z(const char *scene_text)
+{
+    pov_context *context = scenes_context();
+    pov_scene *scene = scenes_text(context, scene_text);
+    pov_hit hit = POV_INIT(hit);
+    pov_tracer *tracer;
+    pov_error err;
+
+    assert_int_equal(pov_tracer_create(&tracer, scene, &err), POV_OK);
+    assert_true(pov_trace_hit(tracer, pov_vec3_of(0.0, 0.0, -99.0), pov_vec3_of(0.0, 0.0, 1.0), &hit));
+    pov_tracer_destroy(tracer);
+    pov_scene_destroy(scene);
+    pov_context_destroy(context);
+    return hit.point.z;
+}
+
 /* The value of an expression behind some declarations, as the radius of a sphere. */
 static void assert_value(const char *declared, const char *expression, double value)
 {
     char text[700];
-    pov_context *context = scenes_context();
-    pov_hit hit = POV_INIT(hit);
-    pov_scene *scene;
-    pov_tracer *tracer;
-    pov_error err;
+    double seen;
 
     snprintf(text, sizeof text, "#version 3.7; camera { location -9*z } %s sphere { 0, %s }", declared, expression);
-    scene = scenes_text(context, text);
-    assert_int_equal(pov_tracer_create(&tracer, scene, &err), POV_OK);
-    assert_true(pov_trace_hit(tracer, pov_vec3_of(0.0, 0.0, -99.0), pov_vec3_of(0.0, 0.0, 1.0), &hit));
-    if (fabs(-hit.point.z - value) > 1e-9)
-        fail_msg("%s: %s is %.9g, not %.9g", declared, expression, -hit.point.z, value);
-    pov_tracer_destroy(tracer);
-    pov_scene_destroy(scene);
-    pov_context_destroy(context);
+    seen = -first_z(text);
+    if (fabs(seen - value) > 1e-9)
+        fail_msg("%s: %s is %.9g, not %.9g", declared, expression, seen, value);
+}
+
+static void assert_seen(const char *object, double z)
+{
+    char text[700];
+
+    snprintf(text, sizeof text, "#version 3.7; camera { location -9*z } %s", object);
+    if (fabs(first_z(text) - z) > 1e-9)
+        fail_msg("%s is seen at %.9g, not %.9g", object, first_z(text), z);
 }
 
 /* How wide the box of an object is along x. */
@@ -130,6 +147,23 @@ static void a_triangle_holds_nothing(void **state)
     assert_value("#declare S = object { union { box { -1, 1 } triangle { x, y, z } } inverse }", "1 + inside(S, 9)", 1.0);
 }
 
+static void a_group_without_members_holds_nothing(void **state)
+{
+    (void)state;
+    assert_value("#declare S = intersection { }", "1 + inside(S, 0)", 1.0);
+    assert_value("#declare S = union { }", "1 + inside(S, 0)", 1.0);
+    assert_value("#declare S = object { union { } inverse }", "1 + inside(S, 0)", 2.0);
+    assert_value("#declare S = object { intersection { } inverse }", "1 + inside(S, 0)", 2.0);
+}
+
+/* Nor does a ray see more of what is left than the surface. */
+static void a_triangle_that_cuts_is_all_that_is_seen(void **state)
+{
+    (void)state;
+    assert_seen("difference { box { -1, 1 } union { triangle { <-2,-2,.5>, <2,-2,.5>, <0,2,.5> } sphere { 0, .2 } } }", 0.5);
+    assert_seen("object { union { box { -1, 1 } triangle { <-2,-2,3>, <2,-2,3>, <0,2,3> } } inverse }", 3.0);
+}
+
 /* A member that ends where another is met again and again by rays of an oblique map. */
 static void no_crossing_is_met_twice(void **state)
 {
@@ -161,6 +195,8 @@ int main(void)
         cmocka_unit_test(what_is_clipped_away_is_not_met),
         cmocka_unit_test(a_point_is_inside_where_the_clips_are),
         cmocka_unit_test(a_triangle_holds_nothing),
+        cmocka_unit_test(a_triangle_that_cuts_is_all_that_is_seen),
+        cmocka_unit_test(a_group_without_members_holds_nothing),
         cmocka_unit_test(a_lathe_of_bezier_splines_has_no_inside_nearer_than_its_points),
         cmocka_unit_test(no_crossing_is_met_twice),
     };

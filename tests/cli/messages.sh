@@ -51,10 +51,16 @@ messages_defect_13_go_on_behind_an_error_in_the_order_of_lines() {
 messages_do_not_come_again_behind_an_error() {
     for wrong in 'background rgb 1' 'light_source <0, 5, 0> color rgb 1' 'mesh { triangle { 0, x } triangle { 0, x, y } }' \
         'isosurface { function { x } contained_by { cone { 0, 1, y, 0 } } }' 'sphere { 0, 1 pigment { function { sin(x } } }'; do
-        printf '%s\nsphere { 0, 1 }\nspere { 0, 1 }\n' "$wrong" > w.pov
+        printf '%s\nsphere { 0, 1 }\nspere { 0, 1 }\nspere { 0, 1 }\n' "$wrong" > w.pov
         expect 1 "$povc" --check w.pov
-        [ "$(sed -n 's/^w\.pov:\([0-9]*\):[0-9]*: error: .*/\1/p' err | tr '\n' ' ')" = "1 3 " ]
+        [ "$(sed -n 's/^w\.pov:\([0-9]*\):[0-9]*: error: .*/\1/p' err | tr '\n' ' ')" = "1 3 4 " ]
     done
+}
+
+messages_want_meshes_for_cameras_that_see_by_faces() {
+    printf 'camera { mesh_camera { 1 0 triangle { 0, x, y } } }\n' > w.pov
+    expect 1 "$povc" --check w.pov
+    says err "w.pov:1:47: error: a mesh_camera sees by the faces of meshes"
 }
 
 messages_guess_names_of_objects() {

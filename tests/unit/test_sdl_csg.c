@@ -171,6 +171,9 @@ static void a_merge_is_parted_by_what_the_camera_sees(void **state)
     g = &r.model.groups.items[r.model.trees.items[0] & ~NODE_GROUP];
     assert_int_equal(g->leaf_count, 2);
     reading_end(&r);
+    read_text(&r, "union { merge { sphere { 0, 1 no_image } box { 0, 1 } inverse } }");
+    assert_int_equal(r.model.groups.items[r.model.trees.items[0] & ~NODE_GROUP].op, NODE_MERGE);
+    reading_end(&r);
     read_text(&r, "intersection { merge { sphere { 0, 1 no_image } box { 0, 1 } } box { 1, 2 } }");
     assert_int_equal(r.model.trees.count, 1);
     reading_end(&r);
