@@ -413,22 +413,16 @@ static void outlines_of_hollows_find_what_the_walk_finds(void **state)
     assert_true(all.hits > rays / 10 && all.blocked > all.hits / 2);
 }
 
-/* A ray that is inside the torus enters a box and a cylinder in one plane: the first in the text shows. */
-static void a_plane_of_two_clips_is_the_first_ones(void **state)
+/* The member that shows at 0.5 on a ray that starts outside of the first, a torus. */
+static uint32_t shown_at_half(node_op op, const probe *members)
 {
-    static const probe members[] = {
-        { .kind = TORUS, .count = 2, .size = 1.0, .number = { 0.5, 0.18 } },
-        { .kind = BOX, .count = 6, .size = 1.0, .number = { -0.5, -0.1, -0.1, 0.5, 0.1, 0.1 } },
-        { .kind = CYLINDER, .count = 7, .size = 1.0, .number = { -0.5, 0.0, 0.0, 0.25, 0.0, 0.0, 0.1 } },
-    };
     const pov_ray ray = { .org = { -1.0, -0.04, -0.08 }, .dir = { 1.0, 0.1, 0.2 }, .origin_surface = POV_NO_OWNER };
-    group_node all = { .op = NODE_INTERSECTION, .line = 1, .column = 1 };
+    group_node all = { .op = op, .line = 1, .column = 1 };
     tally out = { 0, 0, 0, 0 };
     node_ref children[3], root;
     scene s;
     hit h;
 
-    (void)state;
     begin_scene(&s);
     for (int i = 0; i < 3; i++)
         children[i] = add_moved(&s, members[i], NULL, 0);
@@ -436,9 +430,35 @@ static void a_plane_of_two_clips_is_the_first_ones(void **state)
     assert_true(model_add_tree(&s.model, root));
     compile(&s);
     assert_true(compare(&s, &ray, &h, &out));
-    assert_int_equal(h.object, 1);
     assert_true(h.crossing.t == 0.5);
     end_scene(&s);
+    return h.object;
+}
+
+#define RING { .kind = TORUS, .count = 2, .size = 1.0, .number = { 0.5, 0.18 } }
+
+/* A ray that is inside the torus enters a box and a cylinder in one plane: the first in the text shows. */
+static void a_plane_of_two_clips_is_the_first_ones(void **state)
+{
+    static const probe members[] = {
+        RING, { .kind = BOX, .count = 6, .size = 1.0, .number = { -0.5, -0.1, -0.1, 0.5, 0.1, 0.1 } },
+        { .kind = CYLINDER, .count = 7, .size = 1.0, .number = { -0.5, 0.0, 0.0, 0.25, 0.0, 0.0, 0.1 } },
+    };
+
+    (void)state;
+    assert_int_equal(shown_at_half(NODE_INTERSECTION, members), 1);
+}
+
+/* Or it leaves both, which are cut out of the torus. */
+static void a_plane_of_two_hollows_is_the_first_ones(void **state)
+{
+    static const probe members[] = {
+        RING, { .kind = BOX, .count = 6, .size = 1.0, .number = { -1.5, -0.1, -0.1, -0.5, 0.1, 0.1 } },
+        { .kind = CYLINDER, .count = 7, .size = 1.0, .number = { -1.25, 0.0, 0.0, -0.5, 0.0, 0.0, 0.1 } },
+    };
+
+    (void)state;
+    assert_int_equal(shown_at_half(NODE_DIFFERENCE, members), 1);
 }
 
 int main(int argc, char **argv)
@@ -450,6 +470,7 @@ int main(int argc, char **argv)
         cmocka_unit_test(outlines_of_what_cuts_a_surface_find_what_the_walk_finds),
         cmocka_unit_test(outlines_of_hollows_find_what_the_walk_finds),
         cmocka_unit_test(a_plane_of_two_clips_is_the_first_ones),
+        cmocka_unit_test(a_plane_of_two_hollows_is_the_first_ones),
     };
 
     if (argc > 1)
