@@ -12,17 +12,35 @@ typedef struct asking {
     void *user;
 } asking;
 
-/* Is the end of the shaft that rays do not leave the convex shape from in it, too? Then they are all in it. self: in the world. */
-static bool is_around(const asking *a, int end, const shape_class *shape, const void *self)
+static bool is_boxed(const shaft *s, const pov_box *b)
+{
+    return s->lo.x >= b->lo.x && s->lo.y >= b->lo.y && s->lo.z >= b->lo.z && s->hi.x <= b->hi.x && s->hi.y <= b->hi.y && s->hi.z <= b->hi.z;
+}
+
+/* Is one end of the shaft, the point (0) or the area (1), inside of the convex shape? */
+static bool is_end_inside(const asking *a, int end, const shape_class *shape, const void *self)
 {
     const pov_vec3 none = { 0.0, 0.0, 0.0 };
 
-    if (!self || !shape->inside)
-        return false;
-    if (end == 1)
+    if (end == 0)
         return shape->inside(self, a->in->from, none);
     for (int i = 0; i < 4; i++)
         if (!shape->inside(self, pov_add(a->in->from, a->in->corner[i]), none))
+            return false;
+    return true;
+}
+
+/* Is all of the shaft inside of a convex shape? Of an end whose rays leave the shape itself, that is known. self: in the world, or NULL. */
+static bool is_inside(const asking *a, const shape_class *shape, const void *self, uint32_t object)
+{
+    pov_box box;
+
+    if (!self || !shape->inside || !(shape->flags & POV_SHAPE_CONVEX))
+        return false;
+    if (a->left[0].object != object && a->left[1].object != object && shape->bounds(self, &box) && !is_boxed(a->in, &box))
+        return false;
+    for (int end = 0; end < 2; end++)
+        if (a->left[end].object != object && !is_end_inside(a, end, shape, self))
             return false;
     return true;
 }
@@ -39,11 +57,10 @@ static bool is_left(const asking *a, const shape_class *shape, const void *self,
     for (int i = 0; i < 2; i++) {
         if (object != a->left[i].object)
             continue;
-        if (is_plane || is_triangle(shape) || (convex && (chords || a->left[i].outward)) ||
-            (convex && a->unseen && is_around(a, i, shape, self)))
+        if (is_plane || is_triangle(shape) || (convex && (chords || a->left[i].outward)))
             return true;
     }
-    return false;
+    return a->unseen && is_inside(a, shape, self, object);
 }
 
 static bool find_plane(const shape_class *shape, const void *self, pov_half_space *out)
@@ -136,7 +153,7 @@ static bool add_member(const asking *a, const csg_tree *t, const csg_member *m, 
     blocker b = { .box = m->boxed ? m->box : t->box, .tree = t->members[0].leaf + 1 };
     const bool is_plane = !m->xform && !m->boxed && find_plane(m->shape, m->instance, &b.plane);
 
-    if (csg_is_unseen(m) || m->absent || is_left(a, m->shape, NULL, m->leaf, is_plane))
+    if (csg_is_unseen(m) || m->absent || is_left(a, m->shape, m->xform ? NULL : m->instance, m->leaf, is_plane))
         return true;
     if (is_plane)
         return (t->boxed && !shaft_may_overlap(a->in, &t->box)) || add_plane(a, &b);

@@ -66,6 +66,19 @@ static inline uint32_t origin_of(const packet *p, uint32_t i)
     return by ? by->origin[by->lanes.of ? by->lanes.of[i] : i] : p->rays[i]->origin_surface;
 }
 
+/* The lanes of a batch that count where all objects do. */
+static uint32_t all_but_end(const packet *p, const leaf_batch *r)
+{
+    uint32_t out = leaf_batch_lanes(r);
+
+    for (uint32_t i = 0; i < r->count; i++)
+        out &= ~((uint32_t)(r->object[i] == p->end) << i);
+    return out;
+}
+
+/* The lanes of a batch that count. */
+static inline uint32_t casts_of(const packet *p, const leaf_batch *r) { return p->whole ? all_but_end(p, r) : r->casts; }
+
 /* Does it definitely block light? Of filters only narrow() knows the root that a ray starts on. */
 static inline bool is_blocked(const packet *p, const leaf_batch *r, const pov_candidate *m, uint32_t blocking)
 {
@@ -77,7 +90,7 @@ static bool is_open(packet *p, const leaf_batch *r, const pov_candidate *m)
 {
     const pov_ray *ray = p->rays[m->ray];
 
-    if (!(r->casts >> m->lane & 1) || is_excluded(r, m->lane, ray, p->traversal.soa.excluded[m->ray]))
+    if (!(casts_of(p, r) >> m->lane & 1) || is_excluded(r, m->lane, ray, p->traversal.soa.excluded[m->ray]))
         return false;
     begin_light(p, m->ray);
     return p->any_blocks || !clear_solid_passes(r, m, ray, &p->filter_hits[m->ray]);
@@ -153,10 +166,10 @@ static uint64_t take_shapes(packet *p, const leaf_batch *r, uint32_t n, uint64_t
 }
 
 /* Are some candidates left for what needs their rays? */
-static bool any_open(const leaf_batch *r, const pov_candidate *m, uint32_t n, uint64_t ended)
+static bool any_open(const packet *p, const leaf_batch *r, const pov_candidate *m, uint32_t n, uint64_t ended)
 {
     for (; n > 0; m++, n--)
-        if (!(ended >> m->ray & 1) && (r->casts >> m->lane & 1))
+        if (!(ended >> m->ray & 1) && (casts_of(p, r) >> m->lane & 1))
             return true;
     return false;
 }
@@ -168,13 +181,13 @@ static uint64_t filter(packet *p, const leaf_batch *r, uint64_t lanes)
 {
     const pov_candidate *const m = p->candidates;
     const uint32_t n = leaf_batch_filter(r, p->traversal.in, &p->traversal.soa, lanes, p->candidates);
-    const uint32_t blocking = r->casts & r->plain & (p->any_blocks ? ~0u : r->opaque);
+    const uint32_t blocking = casts_of(p, r) & r->plain & (p->any_blocks ? ~0u : r->opaque);
     uint64_t ended = 0;
     uint32_t i;
 
     for (i = 0; i < n; i++)
         ended |= (uint64_t)is_blocked(p, r, &m[i], blocking) << m[i].ray;
-    if (p->by_lane && any_open(r, m, n, ended))
+    if (p->by_lane && any_open(p, r, m, n, ended))
         packet_make_rays(p);
     if (n > 1 && (r->flags & LEAF_INSTANCED) && !p->from)
         return ended | take_instanced(p, r, n, ended);
@@ -240,7 +253,7 @@ static uint64_t leaf_occlusion(bvh_traversal *traversal, const void *leaf, uint6
     for (r = leaf; r && lanes; r = leaf_batch_next(r)) {
         uint64_t exact;
 
-        if (r->casts == 0 || is_left(p, r))
+        if (casts_of(p, r) == 0 || is_left(p, r))
             continue;
         if (p->by_lane && !takes_lanes(r, lanes))
             packet_make_rays(p);
@@ -248,14 +261,14 @@ static uint64_t leaf_occlusion(bvh_traversal *traversal, const void *leaf, uint6
         if (lanes & ~exact)
             ended |= filter(p, r, lanes & ~exact);
         for (uint32_t which = 0, together = packet_asks_together(p, r, exact) ? r->count : 0; which < together; which++)
-            if (r->casts >> which & 1)
+            if (casts_of(p, r) >> which & 1)
                 ended |= ask_together(p, r, which, exact & ~ended);
         if (packet_asks_together(p, r, exact))
             exact = 0;
         for (; exact; exact &= exact - 1) {
             const uint32_t i = first_of64(exact);
 
-            if (ask_some(p, i, r, r->casts & possible_of(p, i, r)))
+            if (ask_some(p, i, r, casts_of(p, r) & possible_of(p, i, r)))
                 ended |= bit_of(i);
         }
         lanes &= ~ended;
@@ -419,6 +432,50 @@ uint64_t query_occlusion(const world *w, query_context *k, const pov_ray *const 
         if (!p.any_blocks && clear_solid_any_enters(p.rays, p.traversal.count))
             note_exits(&p);
         dark |= packet_end_light(&p, packet_occlusion(&p, groups[i].traverse), out);
+    }
+    return all_of(n) & ~dark;
+}
+
+/* Do segments that end on a convex solid cross it nowhere else? From outside they do not, and from inside if they start there. */
+static bool crosses_end_once(const world *w, const pov_ray *const *rays, uint32_t n, departure end)
+{
+    const pov_vec3 none = { 0.0, 0.0, 0.0 };
+    const shape_class *shape;
+    shape_ref ref;
+
+    if (end.object >= w->own_names || !w->objects_info[end.object].plain)
+        return false;
+    shape = w->groups[w->objects_info[end.object].group].shape;
+    if (!(shape->flags & POV_SHAPE_CONVEX))
+        return false;
+    if (end.outward)
+        return true;
+    ref = world_shape(w, end.object);
+    if (ref.xform || !shape->inside)
+        return false;
+    for (uint32_t i = 0; i < n; i++)
+        if (rays[i]->origin_surface != end.object && !shape->inside(ref.instance, rays[i]->org, none))
+            return false;
+    return true;
+}
+
+uint64_t query_visible(const world *w, query_context *k, const pov_ray *const *rays, uint32_t n, double tmax, departure end)
+{
+    const uint32_t once = crosses_end_once(w, rays, n, end) ? end.object : POV_NO_OWNER;
+    bvh_group groups[BVH_GROUPS];
+    occlusion out = { .near_end = 0 };
+    uint64_t dark = 0;
+    uint32_t count;
+    packet p;
+
+    if (n == 0)
+        return 0;
+    count = packet_divide(w, rays, n, all_of(n), false, groups);
+    for (uint32_t i = 0; i < count; i++) {
+        packet_begin(&p, w, k, rays, groups[i].lanes, tmax, tmax);
+        p.any_blocks = p.whole = true;
+        p.end = once;
+        dark |= packet_end_light(&p, packet_occlusion(&p, groups[i].traverse), &out);
     }
     return all_of(n) & ~dark;
 }

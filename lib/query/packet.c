@@ -10,7 +10,7 @@ static void begin(packet *p, const world *w, query_context *k, double tmax)
     p->asked = p->deferred_lanes = p->crossed = 0;
     p->from = k->csg.from = NULL;
     k->csg.light = false;
-    p->candidates_only = false;
+    p->candidates_only = p->whole = false;
     p->by_lane = NULL;
 }
 

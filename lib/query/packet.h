@@ -29,6 +29,8 @@ typedef struct packet {
     uint64_t crossed;            /* of these, lanes whose hit is known without hits of their own, as they asked nothing else */
     uint32_t left;               /* in occlusion queries: the object that all rays are known to have left, or POV_NO_OWNER */
     bool any_blocks;             /* in occlusion queries: shapes block, transparent or not */
+    bool whole;                  /* in occlusion queries: objects that cast no shadow block, too, but for `end` */
+    uint32_t end;                /* then: an object that no ray crosses, or POV_NO_OWNER */
     deferred deferred[WORLD_MANY];
     pov_hits hits[WORLD_MANY], filter_hits[WORLD_MANY];   /* filter_hits: transparent shapes on a light path */
     pov_candidate candidates[POV_CANDIDATES_MAX];

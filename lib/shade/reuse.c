@@ -1,5 +1,6 @@
 #include "shade/reuse.h"
 
+#include "base/lane_mask.h"
 #include "base/simd.h"
 #include "base/vec3.h"
 #include "shade/gather.h"
@@ -135,13 +136,8 @@ static const pov_ray *aim(reuse *r, const weights *w, uint32_t i)
     return ray;
 }
 
-/* The ray meets the place itself, but for roundings, or nothing before it. */
-static bool arrives(const hit *h, uint32_t object)
-{
-    const double nearly = 1.0 - 0x1p-20;
-
-    return h->object == object && h->crossing.t > nearly;
-}
+/* What lies beyond this part of the way is the place itself, but for roundings. */
+static const double nearly = 1.0 - 0x1p-20;
 
 /* ---- flat parts ---- */
 
@@ -183,6 +179,9 @@ static bool end_rectangle(const rectangle *r, pov_vec3 corner[4])
     return r->off <= 0x1p-40 * (r->hi[0] - r->lo[0] + r->hi[1] - r->lo[1]);
 }
 
+/* To look at a pyramid costs as much as some rays. */
+enum { FLAT_LEAST = 4 };
+
 /* The rectangle around its starts. False: they do not lie on a plane. */
 static bool close_flat(const reuse *r, flat *f)
 {
@@ -200,7 +199,7 @@ void reuse_find_flats(const reuse *r, uint32_t from, uint32_t to, flats *out)
     for (uint32_t i = from; i < to; i++)
         left |= (uint64_t)1 << i;
     out->count = 0;
-    while (left && out->count < FLATS_MAX) {
+    for (int tries = 0; left && tries < 2 * FLATS_MAX && out->count < FLATS_MAX; tries++) {
         const uint32_t first = first_of64(left);
         flat *f = &out->of[out->count];
 
@@ -209,7 +208,7 @@ void reuse_find_flats(const reuse *r, uint32_t from, uint32_t to, flats *out)
             if (is_on(r, f, first_of64(rest)))
                 f->lanes |= rest & (~rest + 1);
         left &= ~f->lanes;
-        out->count += close_flat(r, f);
+        out->count += lane_mask_count(f->lanes) >= FLAT_LEAST && close_flat(r, f);
     }
 }
 
@@ -279,15 +278,21 @@ static bool make_sky_shaft(const world *scene, const flat *f, const weights *w, 
 /* Lanes of which one look tells that nothing lies before the place; of the sky they are one of parts[] each. */
 typedef struct clearing { uint64_t lanes, parts[FLATS_MAX]; uint32_t count; } clearing;
 
+/* What the segments to the place end on. */
+static departure end_of(const weights *w)
+{
+    const departure place = { w->object, w->out }, none = { POV_NO_OWNER, false };
+
+    return w->found == REUSE_SKY ? none : place;
+}
+
 static bool is_clear(const shade_context *c, const flat *f, const weights *w)
 {
     const world *scene = c->scene->world;
-    const departure on = { f->object, f->outside }, left = { w->object, w->out }, none = { POV_NO_OWNER, false };
+    const departure on = { f->object, f->outside };
     shaft s;
 
-    if (w->found == REUSE_SKY)
-        return make_sky_shaft(scene, f, w, &s) && query_is_clear(scene, &s, none, on);
-    return make_shaft(f, w, &s) && query_is_clear(scene, &s, left, on);
+    return (w->found == REUSE_SKY ? make_sky_shaft(scene, f, w, &s) : make_shaft(f, w, &s)) && query_is_clear(scene, &s, end_of(w), on);
 }
 
 static bool any_sees(const flat *f, const weights *w)
@@ -376,10 +381,9 @@ static bool hide_some(shade_context *c, reuse *r, uint32_t own, const clearing *
 {
     const pov_ray *rays[WORLD_MANY];
     uint8_t of[WORLD_MANY];
-    hit hits[WORLD_MANY];
     const bool is_sky = w->found == REUSE_SKY;
     const uint64_t known = leave_first(w, clear, own);
-    uint64_t hits_some, hidden = 0;
+    uint64_t seen, hidden = 0;
     uint32_t n = 0;
 
     for (uint32_t i = w->from; i < w->to; i++)
@@ -389,10 +393,10 @@ static bool hide_some(shade_context *c, reuse *r, uint32_t own, const clearing *
         }
     if (n == 0)
         return true;
-    hits_some = query_nearest(c->scene->world, c->context, rays, n, is_sky ? HUGE_VAL : 1.0, hits);
+    seen = query_visible(c->scene->world, c->context, rays, n, is_sky ? HUGE_VAL : nearly, end_of(w));
     c->counts.shadow += n;
     for (uint32_t k = 0; k < n; k++)
-        if ((hits_some >> k & 1) && (is_sky || !arrives(&hits[k], w->object)))
+        if (!(seen >> k & 1))
             hidden |= (uint64_t)1 << of[k];
     for (uint32_t k = 0; is_sky && k < clear->count; k++)
         hidden |= hidden & clear->parts[k] ? clear->parts[k] : 0;

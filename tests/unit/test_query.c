@@ -155,6 +155,96 @@ static void what_throws_no_shadow_is_passed_by_light_but_not_by_sight(void **sta
     model_free(&m);
 }
 
+/* ---- sight ---- */
+
+typedef struct room { shape_class convex; model model; world *world; query_context *context; } room;
+
+/* Object 0 is a sphere of 100 around all, object 1 a small one ahead; neither throws a shadow. */
+static void make_room(room *r)
+{
+    const test_sphere_shape around = { { 0.0, 0.0, 0.0 }, 100.0 }, small = { { 0.0, 0.0, 5.0 }, 1.0 };
+
+    r->convex = test_sphere_class;
+    r->convex.flags |= POV_SHAPE_CONVEX;
+    test_model_init(&r->model, NULL);
+    test_add(&r->model, &r->convex, &around, NULL, 0, LEAF_NO_SHADOW);
+    test_add(&r->model, &r->convex, &small, NULL, 0, LEAF_NO_SHADOW);
+    r->world = make(&r->model, POV_ACCEL_TREE);
+    r->context = traversal_in(r->world);
+}
+
+static void free_room(room *r)
+{
+    query_context_destroy(r->context);
+    world_destroy(r->world);
+    model_free(&r->model);
+}
+
+static bool sees(const room *r, pov_vec3 from, pov_vec3 to, departure end)
+{
+    const pov_ray ray = ray_from(from, pov_sub(to, from)), *const rays = &ray;
+
+    return query_visible(r->world, r->context, &rays, 1, 1.0 - 0x1p-20, end) == 1;
+}
+
+static void what_throws_no_shadow_hides_what_lies_behind_it(void **state)
+{
+    const departure around = { 0, false }, none = { POV_NO_OWNER, false };
+    room r;
+
+    (void)state;
+    make_room(&r);
+    assert_true(sees(&r, origin, pov_vec3_of(100.0, 0.0, 0.0), around));
+    assert_true(sees(&r, origin, pov_vec3_of(0.0, 0.0, 4.0), (departure){ 1, true }));
+    assert_false(sees(&r, origin, pov_vec3_of(0.0, 0.0, 100.0), around));
+    assert_false(sees(&r, origin, pov_vec3_of(0.0, 0.0, 6.0), (departure){ 1, false }));
+    assert_false(sees(&r, origin, pov_vec3_of(200.0, 0.0, 0.0), none));
+    free_room(&r);
+}
+
+/* From outside a solid the way to its inner side leads through it, also where others start inside. */
+static void the_inner_side_of_a_solid_is_hidden_from_outside(void **state)
+{
+    const departure around = { 0, false };
+    const pov_vec3 end = { 100.0, 0.0, 0.0 };
+    pov_ray two[2], *const rays[2] = { &two[0], &two[1] };
+    room r;
+
+    (void)state;
+    make_room(&r);
+    two[0] = ray_from(origin, end);
+    two[1] = ray_from(pov_vec3_of(-150.0, 0.0, 0.0), pov_vec3_of(250.0, 0.0, 0.0));
+    assert_int_equal(query_visible(r.world, r.context, (const pov_ray *const *)rays, 2, 1.0 - 0x1p-20, around), 1);
+    free_room(&r);
+}
+
+static bool is_clear(const room *r, pov_vec3 from, pov_vec3 corner)
+{
+    const departure none = { POV_NO_OWNER, false };
+    const pov_vec3 side = { 1.0, 0.0, 0.0 }, up = { 0.0, 1.0, 0.0 };
+    pov_vec3 to[4] = { pov_sub(corner, from) };
+    shaft s;
+
+    to[1] = pov_add(to[0], side);
+    to[2] = pov_add(to[1], up);
+    to[3] = pov_add(to[0], up);
+    assert_true(shaft_make(&s, from, to));
+    return query_is_clear(r->world, &s, none, none);
+}
+
+static void a_pyramid_inside_a_convex_solid_is_clear_of_it(void **state)
+{
+    room r;
+
+    (void)state;
+    make_room(&r);
+    assert_true(is_clear(&r, pov_vec3_of(0.0, 0.0, -20.0), pov_vec3_of(30.0, 0.0, 0.0)));
+    assert_false(is_clear(&r, pov_vec3_of(0.0, 0.0, -20.0), pov_vec3_of(-0.5, -0.5, 20.0)));   /* the small one */
+    assert_false(is_clear(&r, pov_vec3_of(0.0, 0.0, -20.0), pov_vec3_of(99.5, 0.0, 0.0)));
+    assert_false(is_clear(&r, pov_vec3_of(0.0, 0.0, -101.0), pov_vec3_of(30.0, 0.0, 0.0)));
+    free_room(&r);
+}
+
 /* ---- leaving ---- */
 
 static void a_ray_that_leaves_a_sphere_hits_its_other_side_only(void **state)
@@ -455,6 +545,9 @@ int main(void)
         cmocka_unit_test(crossings_of_objects_that_are_not_plain_are_located),
         cmocka_unit_test(an_opaque_object_behind_glass_blocks_light),
         cmocka_unit_test(what_throws_no_shadow_is_passed_by_light_but_not_by_sight),
+        cmocka_unit_test(what_throws_no_shadow_hides_what_lies_behind_it),
+        cmocka_unit_test(the_inner_side_of_a_solid_is_hidden_from_outside),
+        cmocka_unit_test(a_pyramid_inside_a_convex_solid_is_clear_of_it),
         cmocka_unit_test(a_ray_that_leaves_a_sphere_hits_its_other_side_only),
         cmocka_unit_test(an_instance_of_a_sphere_matches_a_plain_one_however_far),
         cmocka_unit_test(a_stretched_and_turned_sphere_is_an_ellipsoid),
