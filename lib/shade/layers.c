@@ -84,7 +84,7 @@ static void weigh(const shade_context *c, layers *l, uint32_t i)
     appearance *own = &l->on.varying[i];
     const onward on = surfaces_onward(&l->on, i);
 
-    if (layer_weigh(&l->of[i], c->scene->model, a, &on, &l->left))
+    if (layer_weigh(&l->of[i], l->of[i].share, c->scene->model, a, &on, &l->left))
         return;
     if (a != own)
         *own = *a;

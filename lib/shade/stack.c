@@ -18,19 +18,22 @@ static coefficient share_of(colour c, float share)
     return out;
 }
 
+/* As fminf(), which would be a call. */
+static inline float at_most_one(float x) { return x < 1.0f ? x : 1.0f; }
+
 /* What a layer reflects is not filtered by those above it, but they count in its weight as far as they take light, as POV-Ray
  * has it. */
-bool layer_weigh(layer *out, const model *m, const appearance *a, const onward *on, colour *left)
+bool layer_weigh(layer *out, float share, const model *m, const appearance *a, const onward *on, colour *left)
 {
     if (out->first)
         *left = colour_of(1.0f, 1.0f, 1.0f);
     if (!out->first && appearance_is_dark(m, *left))
         return false;
-    out->by = colour_scale(*left, out->share);
-    out->reflection.by = colour_scale(on->reflection.by, out->share);
-    out->reflection.weight = on->reflection.weight * fminf(fabsf(colour_luminance(*left)), 1.0f);
+    out->by = colour_scale(*left, share);
+    out->reflection.by = colour_scale(on->reflection.by, share);
+    out->reflection.weight = on->reflection.weight * at_most_one(fabsf(colour_luminance(*left)));
     *left = colour_mul(*left, on->filter.by);
-    out->through = share_of(colour_scale(*left, a->finish->refraction), out->share);
+    out->through = share_of(colour_scale(*left, a->finish->refraction), share);
     out->is_dark = appearance_is_dark(m, *left);
     return true;
 }
@@ -75,7 +78,7 @@ void stack_weigh(stack *of, const plan *p, const model *m)
         stack_layer *one = &of->layers[k];
 
         one->of.is_weighed = true;
-        if (!layer_weigh(&one->of, m, &one->appearance, &one->appearance.onward, &left))
+        if (!layer_weigh(&one->of, 1.0f, m, &one->appearance, &one->appearance.onward, &left))
             layer_hide(&one->of, &one->appearance);
     }
 }

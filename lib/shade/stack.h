@@ -38,7 +38,7 @@ static inline const appearance *stack_level(const appearance *a, uint32_t level)
 
 /* Weigh the next layer of its stack, from which this goes on. What it lets through, of what is left by those above it, is left for those below it,
  * and at the end for the transmitted ray. False: nothing is left for it, and it is to be hidden. */
-bool layer_weigh(layer *out, const model *m, const appearance *a, const onward *on, colour *left);
+bool layer_weigh(layer *out, float share, const model *m, const appearance *a, const onward *on, colour *left);
 /* A layer that nothing is left for is as if it were not there. */
 void layer_hide(layer *out, appearance *own);
 
