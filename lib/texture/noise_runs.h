@@ -43,17 +43,17 @@ SIMD_INLINE void join_parts(__m512d xy, __m256d z, uint32_t lane, int count, dou
 SIMD_INLINE void sum_some(const noise_tables *t, const lattice *l, uint32_t lane, int count, int level, double *const out[])
 {
     const __m512d place = _mm512_broadcast_f64x4(_mm256_load_pd(l->place[lane]));
-    const double *from[CORNERS];
+    const corners all = corners_of(t, l, lane);
     __m512d xy = _mm512_setzero_pd();
     __m256d z = _mm256_setzero_pd();
 
-    find_corners(t, l, lane, from);
 #pragma GCC unroll 8
     for (int c = 0; c < CORNERS; c++) {
+        const double *const from = numbers_at(&all, c);
         const __m512d corner = _mm512_broadcast_f64x4(_mm256_loadu_pd(noise_corner[c]));
         const __m512d by = _mm512_mul_pd(_mm512_sub_pd(place, corner), _mm512_set1_pd(l->half_weight[c][lane]));
-        const __m512d more_xy = _mm512_mul_pd(by, _mm512_loadu_pd(from[c]));
-        const __m256d more_z = _mm256_mul_pd(_mm512_castpd512_pd256(by), _mm256_loadu_pd(from[c] + 2 * PARTS));
+        const __m512d more_xy = _mm512_mul_pd(by, _mm512_loadu_pd(from));
+        const __m256d more_z = _mm256_mul_pd(_mm512_castpd512_pd256(by), _mm256_loadu_pd(from + 2 * PARTS));
 
         if (is_above(level, c))
             continue;
@@ -70,14 +70,13 @@ SIMD_INLINE void sum_some(const noise_tables *t, const lattice *l, uint32_t lane
 SIMD_INLINE void sum_one(const noise_tables *t, const lattice *l, uint32_t lane, int level, double *out)
 {
     const __m256d place = _mm256_setr_pd(1.0, l->inside[0][lane], l->inside[1][lane], l->inside[2][lane]);
-    const double *from[CORNERS];
+    const corners all = corners_of(t, l, lane);
     __m256d sum = _mm256_setzero_pd(), pairs;
 
-    find_corners(t, l, lane, from);
 #pragma GCC unroll 8
     for (int c = 0; c < CORNERS; c++) {
         const __m256d by = _mm256_mul_pd(_mm256_sub_pd(place, _mm256_loadu_pd(noise_corner[c])), _mm256_set1_pd(l->half_weight[c][lane]));
-        const __m256d more = _mm256_mul_pd(by, _mm256_loadu_pd(from[c]));
+        const __m256d more = _mm256_mul_pd(by, _mm256_loadu_pd(numbers_at(&all, c)));
 
         if (is_above(level, c))
             continue;

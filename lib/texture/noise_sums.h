@@ -149,20 +149,31 @@ SIMD_CLONES static void locate_3(const vec_lanes *restrict at, double scale, uin
 
 /* ---- sums ---- */
 
-/* Where the numbers of each corner begin. */
+/* The corners of a cube: hashes of their x and y, and z below and above. */
+typedef struct corners { const noise_tables *of; size_t hash[CORNERS / 2], z[2]; } corners;
+
+SIMD_INLINE corners corners_of(const noise_tables *t, const lattice *l, uint32_t lane)
+{
+    const size_t x = l->low[0][lane], y0 = l->low[1][lane], z0 = l->low[2][lane], y1 = (y0 + 1) & CELL_MASK;
+    const size_t low = t->hash[x], high = t->hash[x + 1];
+
+    return (corners){ t, { t->hash[low ^ y0], t->hash[high ^ y0], t->hash[low ^ y1], t->hash[high ^ y1] }, { z0, (z0 + 1) & CELL_MASK } };
+}
+
+/* Where the numbers of a corner begin. It is asked as they are needed: the places of all would take more registers than there are. */
+SIMD_INLINE const double *numbers_at(const corners *of, int c)
+{
+    const double *const copies = (const double *)(const void *)of->of->measured;   /* one behind the other */
+
+    return copies + of->of->last[of->hash[c % (CORNERS / 2)] ^ of->z[c / (CORNERS / 2)]];
+}
+
 SIMD_INLINE void find_corners(const noise_tables *t, const lattice *l, uint32_t lane, const double *from[CORNERS])
 {
-    const size_t x = l->low[0][lane], y0 = l->low[1][lane], z0 = l->low[2][lane];
-    const size_t y[2] = { y0, (y0 + 1) & CELL_MASK }, z[2] = { z0, (z0 + 1) & CELL_MASK };
-    const size_t hx[2] = { t->hash[x], t->hash[x + 1] };
-    const double *const copies = (const double *)(const void *)t->measured;   /* one behind the other */
+    const corners all = corners_of(t, l, lane);
 
-    for (int c = 0; c < CORNERS / 2; c++) {
-        const size_t hxy = t->hash[hx[c & 1] ^ y[c >> 1]];
-
-        from[c] = copies + t->last[hxy ^ z[0]];
-        from[c + 4] = copies + t->last[hxy ^ z[1]];
-    }
+    for (int c = 0; c < CORNERS; c++)
+        from[c] = numbers_at(&all, c);
 }
 
 /* Of generator 3. */
