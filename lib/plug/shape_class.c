@@ -42,6 +42,7 @@ static void fill_fast(shape_class *out, const pov_shape_fast *from)
     out->reorder = f.reorder;
     out->normal_at_many = f.normal_at_many;
     out->cross_sure = f.cross_sure;
+    out->ring = f.ring;
 }
 
 void shape_class_fill(shape_class *out, const pov_shape_class *from)

@@ -49,6 +49,7 @@ typedef struct shape_class {
     uint32_t (*narrow)(const void *self, const pov_own_map *map, uint32_t owner, const pov_rays *rays, pov_candidate *io, uint32_t n);
     void (*normal_at_many)(const void *const *selves, const pov_vec3 *const *points, pov_vec3 *const *out, uint32_t n);
     uint64_t (*cross_sure)(const void *const *selves, const pov_ray *const *rays, pov_crossing *const *at, pov_contact *const *contacts, uint32_t n);
+    bool (*ring)(const void *self, double radii[2]);
 } shape_class;
 
 /* Complete a class that shape_class_check() has accepted. */

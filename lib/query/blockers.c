@@ -90,6 +90,15 @@ static bool find_outline(const shape_class *shape, const void *self, const insta
     return shape->outline && shape->outline(self, out) && (!x || instance_outline(x, out));
 }
 
+static void find_ring(const shape_class *shape, const void *self, const instance_xform *x, blocker *out)
+{
+    const pov_vec3 zero = { 0.0, 0.0, 0.0 };
+    const pov_own_map same = { zero, { { 1.0, 0.0, 0.0 }, { 0.0, 1.0, 0.0 }, { 0.0, 0.0, 1.0 } }, zero };
+
+    out->ringed = shape->ring && shape->ring(self, out->radii);
+    out->own = x ? (pov_own_map){ x->anchor, { x->column[0], x->column[1], x->column[2] }, x->own_anchor } : same;
+}
+
 /* ---- trees ---- */
 
 /* More are not told apart. */
@@ -135,21 +144,36 @@ static const csg_member *body_of(const csg_tree *t)
     return &t->members[t->chords.member[first_of(within)]];
 }
 
-/* A solid that what a member shows lies within. */
-static bool find_clip(const csg_tree *t, const csg_member *m, pov_outline *out)
+/* A solid that what a member shows lies within. NULL: none is known. */
+static const csg_member *find_clip(const csg_tree *t, const csg_member *m, pov_outline *out)
 {
     for (uint32_t i = 0; i < t->member_count; i++) {
         const csg_member *other = &t->members[i];
 
         if (is_within(t, m, other) && other->boxed && find_outline(other->shape, other->instance, other->xform, out))
-            return true;
+            return other;
     }
-    return false;
+    return NULL;
+}
+
+/* Is a tree all of a member that is in no other one, or of its surface, but for what lies outside of the clip? */
+static bool is_shown(const csg_tree *t, const csg_member *m, const csg_member *clip)
+{
+    if (t->node_count != 1 || t->nodes[0].op != NODE_INTERSECTION || t->nodes[0].inverse || m->inverse)
+        return false;
+    for (uint32_t i = 0; i < t->member_count; i++) {
+        const csg_member *other = &t->members[i];
+
+        if (other != m && other != clip && (!other->inverse || other->patch || other->open || csg_is_unseen(other)))
+            return false;
+    }
+    return true;
 }
 
 /* What a member of a tree shows of its surface lies in the tree's box too. body: the member of which what is in no other one stops light. */
-static bool add_member(const asking *a, const csg_tree *t, const csg_member *m, const csg_member *body)
+static bool add_member(const asking *a, const csg_tree *t, const csg_member *m, const csg_member *body, bool opaque)
 {
+    const csg_member *clip = NULL;
     blocker b = { .box = m->boxed ? m->box : t->box, .tree = t->members[0].leaf + 1 };
     const bool is_plane = !m->xform && !m->boxed && find_plane(m->shape, m->instance, &b.plane);
 
@@ -162,9 +186,12 @@ static bool add_member(const asking *a, const csg_tree *t, const csg_member *m, 
     if (!shaft_may_overlap(a->in, &b.box) || !may_show(a, t, m))
         return true;
     b.outlined = m->boxed && find_outline(m->shape, m->instance, m->xform, &b.solid);
-    b.hides = b.outlined && m == body;
+    find_ring(m->shape, m->instance, m->xform, &b);
     b.object = m->leaf;
-    b.clipped = b.outlined && m->leaf == a->left[0].object && find_clip(t, m, &b.clip);
+    if (b.ringed || (b.outlined && m->leaf == a->left[0].object))
+        clip = find_clip(t, m, &b.clip);
+    b.clipped = clip != NULL;
+    b.hides = b.ringed ? opaque && is_shown(t, m, clip) : b.outlined && m == body;
     return a->add(a->user, &b);
 }
 
@@ -180,19 +207,19 @@ static bool add_tree(const asking *a, const csg_tree *t, bool opaque)
     const csg_member *body = opaque ? body_of(t) : NULL;
 
     for (uint32_t i = 0; i < t->member_count; i++)
-        if (!add_member(a, t, &t->members[i], body))
+        if (!add_member(a, t, &t->members[i], body, opaque))
             return false;
     return true;
 }
 
 /* ---- other objects ---- */
 
-/* Is it a convex solid whose whole surface is there, and does the same to light everywhere? */
+/* Is the whole surface of the solid there, and does the same to light everywhere? */
 static bool is_whole(const leaf_batch *r, uint32_t lane)
 {
     const shape_class *shape = r->shape;
 
-    return (r->plain & 1u << lane) && (shape->flags & POV_SHAPE_CONVEX) && !(shape->open && shape->open(leaf_batch_instance(r, lane)));
+    return (r->plain & 1u << lane) && !(shape->open && shape->open(leaf_batch_instance(r, lane)));
 }
 
 /* May the shaft overlap a triangle in its box? */
@@ -227,9 +254,10 @@ static bool add_boxed(const asking *a, const leaf_batch *r, uint32_t lane, const
     if (x && !may_overlap_own(a, x, r->shape, r->instances))
         return true;
     b.outlined = find_outline(r->shape, leaf_batch_instance(r, lane), x, &b.solid);
-    whole = b.outlined && is_whole(r, lane);
+    find_ring(r->shape, leaf_batch_instance(r, lane), x, &b);
+    whole = is_whole(r, lane) && (b.ringed || (b.outlined && (r->shape->flags & POV_SHAPE_CONVEX)));
     b.hides = whole && (r->opaque >> lane & 1);
-    b.dims = whole && !b.hides;
+    b.dims = whole && !b.ringed && !b.hides;
     b.object = r->object[lane];
     return a->add(a->user, &b);
 }

@@ -64,9 +64,13 @@ typedef struct blocker {
     pov_half_space plane;        /* which it is the surface of, if is_plane */
     bool is_box, is_sphere;      /* its surface lies on the box's, or on the sphere inscribed in it */
     bool is_plane;
-    bool outlined, hides;        /* its surface lies on that of `solid`, in the world; all of its inside stops light, and is convex */
+    bool outlined, hides;        /* its surface lies on that of `solid`, in the world; all of its inside stops light, and is convex, or of
+                                  * a ring, within `clip`, where it ends */
     bool dims;                   /* it is such a solid of which each crossing leaves the same part of light */
     uint32_t object;             /* then, or of a member: its leaf */
+    bool ringed;                 /* its surface lies on that of a solid of the shape class's `ring`, of these radii, in a space of its own */
+    double radii[2];
+    pov_own_map own;
     bool clipped;                /* it shows within this only: `clip`, in the world */
     uint32_t tree;               /* not 0: it is a member of this tree. What hides is then all that is in no other member of it. */
     pov_outline solid, clip;

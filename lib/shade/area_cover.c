@@ -91,7 +91,7 @@ typedef double lane[TOGETHER];
 /* Some parts, and where segments to them are within all slabs: the first and last of it. */
 typedef struct SIMD_ALIGNED some_parts { lane lo[2], hi[2], first, last, flag; } some_parts;
 
-static uint32_t whole(uint32_t n) { return (n + TOGETHER - 1) / TOGETHER * TOGETHER; }
+static uint32_t whole(uint32_t n) { return (n + 15) / 16 * 16; }
 
 SIMD_INLINE void take(const area_parts *restrict p, uint32_t from, some_parts *restrict out)
 {
@@ -292,7 +292,7 @@ SIMD_CLONES uint64_t area_cover_misses_of(const area_cover *c, const area_parts 
 
 /* ---- one part ---- */
 
-static area_parts one_part(const grid_part *part)
+area_parts area_parts_of(const grid_part *part)
 {
     area_parts one = { .count = 1 };
 
@@ -306,14 +306,14 @@ static area_parts one_part(const grid_part *part)
 
 bool area_cover_hides(const area_cover *c, const grid_part *part)
 {
-    const area_parts one = one_part(part);
+    const area_parts one = area_parts_of(part);
 
     return area_cover_hides_of(c, &one, 1) != 0;
 }
 
 bool area_cover_misses(const area_cover *c, const grid_part *part)
 {
-    const area_parts one = one_part(part);
+    const area_parts one = area_parts_of(part);
 
     return area_cover_misses_of(c, &one, 1) != 0;
 }

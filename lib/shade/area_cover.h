@@ -35,6 +35,7 @@ enum { AREA_PARTS = 64 };
 typedef struct area_parts { SIMD_ALIGNED double lo[2][AREA_PARTS], hi[2][AREA_PARTS]; uint32_t count; bool points; } area_parts;
 /* Those of the grid from the k-th one on. */
 void area_parts_find(const light_grid *g, uint32_t k, area_parts *out);
+area_parts area_parts_of(const grid_part *one);
 /* All of them, as bits. */
 static inline uint64_t area_parts_all(const area_parts *parts) { return ~(uint64_t)0 >> (AREA_PARTS - parts->count); }
 /* Which of these, of those that `which` selects. */

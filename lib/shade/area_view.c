@@ -235,10 +235,20 @@ static bool is_beyond(const finding *f, const pov_box *b)
     return beyond[0] || beyond[1] || beyond[2] || beyond[3] || beyond[4] || beyond[5];
 }
 
+static bool find_ring(const finding *f, const blocker *b, area_ring *out)
+{
+    area_cover clip;
+
+    if (b->clipped && !area_cover_make(&clip, &b->clip, f->plane.from, f->plane.to, f->plane.axes))
+        return false;
+    return area_ring_make(out, b->radii, &b->own, f->plane.from, f->plane.to, f->plane.axes, b->clipped ? &clip : NULL);
+}
+
 static void find_cover(const finding *f, const blocker *b, area_shadow *out)
 {
+    out->ringed = b->ringed && find_ring(f, b, &out->ring);
     out->outlined = b->outlined && area_cover_make(&out->cover, &b->solid, f->plane.from, f->plane.to, f->plane.axes);
-    out->hides = out->outlined && b->hides;
+    out->hides = (out->outlined || out->ringed) && b->hides;
     out->dims = out->outlined && b->dims && is_beyond(f, &b->box);
     out->leaves = out->dims && are_of_one_side(f, b->object);
     out->tree = b->tree;
@@ -254,18 +264,26 @@ static bool leaves_clip(const finding *f, const blocker *b, const area_shadow *s
            area_cover_make(&clip, &b->clip, f->plane.from, f->plane.to, f->plane.axes) && area_cover_holds(&s->cover, &clip, &f->all);
 }
 
+/* hidden: do all certainly cross a ring? */
+static bool misses(const area_shadow *s, const grid_part *all, bool *hidden)
+{
+    *hidden = false;
+    return s->ringed ? area_ring_misses(&s->ring, all, hidden) : s->outlined && area_cover_misses(&s->cover, all);
+}
+
 static bool add_blocker(void *user, const blocker *b)
 {
     finding *f = user;
     area_view *out = f->out;
     area_shadow s = { .part = shadow_of(&f->plane, &f->all, b) };
+    bool hidden;
 
     if (!grid_parts_overlap(&s.part, &f->all) || holds(&f->plane, &f->shaft, b))
         return true;
     find_cover(f, b, &s);
-    if ((s.outlined && area_cover_misses(&s.cover, &f->all)) || leaves_clip(f, b, &s))
+    if (misses(&s, &f->all, &hidden) || leaves_clip(f, b, &s))
         return true;
-    out->dark = s.hides && !s.tree && area_cover_hides(&s.cover, &f->all);
+    out->dark = s.hides && !s.tree && (hidden || (s.outlined && area_cover_hides(&s.cover, &f->all)));
     if (out->dark || out->count == AREA_VIEW_MAX)
         return false;
     out->shadows[out->count++] = s;
@@ -300,7 +318,7 @@ static void hide_all(area_view *out)
     for (uint32_t i = 0; i < out->count; i++)
         out->shadows[i].hides = out->shadows[i].hides && !out->shadows[i].tree;
     s->part = (grid_part){ { -HUGE_VAL, -HUGE_VAL }, { HUGE_VAL, HUGE_VAL } };
-    s->outlined = s->hides = s->dims = s->leaves = false;
+    s->outlined = s->ringed = s->hides = s->dims = s->leaves = false;
     s->tree = 0;
 }
 
@@ -315,16 +333,19 @@ void area_view_find(const shading *scene, const scene_light *from, const area_st
         hide_all(out);
 }
 
-/* Parts that it may hide. */
-static uint64_t open_of(const area_shadow *s, const area_parts *parts)
+/* Parts that it may hide; and of a ring those that it certainly does. */
+static uint64_t open_of(const area_shadow *s, const area_parts *parts, uint64_t *hidden)
 {
     const uint64_t may = area_parts_overlap(parts, &s->part);
 
+    *hidden = 0;
+    if (may && s->ringed)
+        return may & ~area_ring_misses_of(&s->ring, parts, may, hidden);
     return may && s->outlined ? may & ~area_cover_misses_of(&s->cover, parts, may) : may;
 }
 
-/* Of these parts, those that the i-th shadow certainly hides; may: those that each may. */
-static uint64_t hidden_of(const area_view *v, uint32_t i, const area_parts *parts, const uint64_t *may, uint64_t which)
+/* Of these parts, those that the i-th shadow certainly hides; may: those that each may; hidden: those that it does if it is a ring. */
+static uint64_t hidden_of(const area_view *v, uint32_t i, const area_parts *parts, const uint64_t *may, uint64_t hidden, uint64_t which)
 {
     const uint32_t tree = v->shadows[i].tree;
     uint64_t hollow = 0;
@@ -332,6 +353,8 @@ static uint64_t hidden_of(const area_view *v, uint32_t i, const area_parts *part
     for (uint32_t k = 0; tree && k < v->count; k++)
         hollow |= k != i && v->shadows[k].tree == tree ? may[k] : 0;
     which &= may[i] & ~hollow;
+    if (v->shadows[i].ringed)
+        return which & hidden;
     return which ? area_cover_hides_of(&v->shadows[i].cover, parts, which) : 0;
 }
 
@@ -346,14 +369,14 @@ static uint64_t alike_of(const area_view *v, uint32_t i, const area_parts *parts
 area_states area_view_open(const area_view *v, const area_parts *parts)
 {
     area_states out = { 0, 0, 0 };
-    uint64_t may[AREA_VIEW_MAX];
+    uint64_t may[AREA_VIEW_MAX], hidden[AREA_VIEW_MAX];
 
     for (uint32_t i = 0; i < v->count; i++)
-        out.open |= may[i] = open_of(&v->shadows[i], parts);
+        out.open |= may[i] = open_of(&v->shadows[i], parts, &hidden[i]);
     out.lit = area_parts_all(parts) & ~out.open;
     for (uint32_t i = 0; out.open && i < v->count; i++)
         if (v->shadows[i].hides)
-            out.open &= ~hidden_of(v, i, parts, may, out.open);
+            out.open &= ~hidden_of(v, i, parts, may, hidden[i], out.open);
     for (uint32_t i = 0; out.open && i < v->count && !out.alike; i++)
         if (v->shadows[i].dims)
             out.alike = alike_of(v, i, parts, may, out.open);

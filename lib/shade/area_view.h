@@ -3,17 +3,18 @@
 #define SHADE_AREA_VIEW_H
 
 #include "query/query.h"
-#include "shade/area_cover.h"
+#include "shade/area_ring.h"
 #include "shade/shading.h"
 
 /* A part of the light's grid that something may hide, and the solid that does, where that is known; hides: it certainly does, or if it is
  * of a tree, where no other shadow of that may lie. */
 typedef struct area_shadow {
     grid_part part;
-    bool outlined, hides;
+    bool outlined, ringed, hides;
     bool dims, leaves;           /* what crosses it is dimmed alike; and all rays start on it and cross it as often */
     uint32_t tree;
-    area_cover cover;
+    area_cover cover;            /* if it is outlined; or if it is ringed: */
+    area_ring ring;
 } area_shadow;
 
 /* dark: something hides all of the light. */

@@ -137,11 +137,21 @@ static void uv(const void *self, pov_vec3 point, const pov_mark *mark, double ou
     out[1] = 0.5 + common_turn(point.y, sqrt(point.x * point.x + point.z * point.z) - t->major);
 }
 
+static bool ring(const void *self, double radii[2])
+{
+    const torus *t = self;
+
+    radii[0] = t->major;
+    radii[1] = t->minor;
+    return t->kind == TORUS_RING && t->major > t->minor;
+}
+
 static const pov_shape_fast torus_fast = {
     .size = sizeof(pov_shape_fast),
     .intersect_many = intersect_many,
     .normal_many = normal_many,
     .narrow = narrow,
+    .ring = ring,
     .intersect_between = intersect,
     .intersect_between_many = intersect_many,
 };

@@ -74,6 +74,20 @@ static void turned_solids_that_hide_much(void **state)
     assert_alike(SLAB "cone { -y, .8, y, .1 scale <1,1,.4> rotate <60,10,0> translate <-.8,1.2,.4>" MATT "sphere { 0, 1 scale <1,.3,.6> rotate <20,0,50> translate <1,2,-1>" MATT);
 }
 
+/* A torus is followed in its own space; what clips it lets light through where it ends, or where it is cut. */
+static void tori_whole_and_in_parts(void **state)
+{
+    (void)state;
+    assert_alike(FLOOR "torus { 1, .3 rotate <70,20,0> translate <0,1.4,0>" MATT "torus { .6, .2 scale <1,2,.5> rotate 30 translate <1.4,.8,-1>" MATT);
+    assert_alike(FLOOR "torus { 1, .4 rotate 90*x clipped_by { box { <-1.4,0,-.4>, <1.4,1.4,.4> } } translate <0,.6,0>" MATT
+                 "torus { .8, .3 clipped_by { box { <-2,-.1,-2>, <.3,.2,2> } rotate 20*y } translate <1,2,-1>" MATT);
+    assert_alike(SLAB "difference { torus { 1, .4 rotate 90*x } box { <0,-2,-.4>, <2,0,.4> } translate 1.4*y" MATT
+                 "intersection { torus { .7, .25 } box { -1, <1,1,.2> } rotate <20,0,50> translate <1,2,-1>" MATT);
+    assert_alike(SLAB "difference { cylinder { -.3*y, .3*y, .9 } torus { .6, .25 } rotate 50*z translate <0,1.2,0>" MATT
+                 "difference { torus { .9, .3 } torus { .6, .4 } sphere { x, .5 } rotate 60*x translate <1,1.6,-1>" MATT
+                 "torus { .5, .3 clipped_by { sphere { .4*x, .6 inverse } } translate <-1,2,-1>" MATT "torus { .2, .3 translate <-1.4,.6,0>" MATT);
+}
+
 /* Light goes through holes, however many of them there are. */
 static void plates_with_holes(void **state)
 {
@@ -316,6 +330,7 @@ int main(void)
         cmocka_unit_test(spheres_and_boxes_on_a_floor),
         cmocka_unit_test(shapes_that_are_turned_or_open),
         cmocka_unit_test(turned_solids_that_hide_much),
+        cmocka_unit_test(tori_whole_and_in_parts),
         cmocka_unit_test(plates_with_holes),
         cmocka_unit_test(solids_made_of_others_and_meshes),
         cmocka_unit_test(rooms_made_of_planes),

@@ -84,6 +84,23 @@ static void without_the_second_radius_it_is_not_seen(void **state)
     }
 }
 
+/* What is within a distance of its circle; not of a spindle, where that is another solid. */
+static void a_ring_has_its_radii(void **state)
+{
+    static const char *const texts[] = { "3, .5", "1, 2" };
+
+    (void)state;
+    for (int i = 0; i < 2; i++) {
+        pov_reader *in = fake_reader_create();
+        double radii[2];
+
+        fake_reader_text(in, texts[i]);
+        assert_int_equal(torus->ring(fake_reader_parse(in, torus), radii), i == 0);
+        assert_true(radii[0] == (i ? 1.0 : 3.0) && radii[1] == (i ? 2.0 : 0.5));
+        fake_reader_destroy(in);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -91,6 +108,7 @@ int main(void)
         cmocka_unit_test(the_axis_meets_a_spindle_in_its_poles),
         cmocka_unit_test(without_the_first_radius_it_is_a_sphere),
         cmocka_unit_test(without_the_second_radius_it_is_not_seen),
+        cmocka_unit_test(a_ring_has_its_radii),
     };
 
     torus = fake_reader_shape("torus");

@@ -127,6 +127,9 @@ typedef struct pov_shape_fast {
      * of pair i is written to at[i], but for its owner, and if contacts is not NULL its point and normal to contacts[i], as normal_at_many()
      * has it if the class has that. n is 1 to POV_RAYS_MAX. Bit i: pair i is left open, whatever was written. */
     uint64_t (*cross_sure)(const void *const *selves, const pov_ray *const *rays, pov_crossing *const *at, pov_contact *const *contacts, uint32_t n);
+    /* [load] [render] Is it all that lies at most radii[1] from a circle of the radius radii[0] around the y axis of its own space, and
+     * its surface where that ends? Radii may be rounded, as an outline is. */
+    bool (*ring)(const void *self, double radii[2]);
 } pov_shape_fast;
 
 #endif
