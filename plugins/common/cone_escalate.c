@@ -211,23 +211,38 @@ static pov_two3 direction_of(const common_cone *s, const common_ray *k)
 }
 
 /* Does the slab certainly begin at the end of the interval, or behind it? So does what is within: nothing is reported, but that the end is
- * near. Lights often lie in the plane of a cap: the axis alone is looked at first. */
-static bool begins_behind(const common_cone *s, const common_ray *k, double middle, pov_hits *hits)
+ * near. */
+static bool begins_behind(const span *slab, const common_ray *k, double middle, pov_hits *hits)
 {
-    const pov_two dz = pov_two3_dot(s->row[2], common_direction(k));
-    double gap;
-    span slab;
-    pov_two t;
+    const pov_two t = pov_two_add_double(slab->lo, middle);
+    const double gap = (hits->tmax - t.hi * k->unit) - t.lo * k->unit;
 
-    if (!(hits->slack > 0.0) || s->slender || fabs(dz.hi) < LEVEL || (hits->want != POV_WANT_ALL && hits->count > 0))
-        return false;
-    slab = slab_span(s, pov_two3_dot(s->row[2], common_along_two(k, middle)), dz);
-    t = pov_two_add_double(slab.lo, middle);
-    gap = (hits->tmax - t.hi * k->unit) - t.lo * k->unit;
-    if (slab.empty || slab.from_ever || !(gap < 0.25 * hits->slack))
+    if (!(hits->slack > 0.0) || (hits->want != POV_WANT_ALL && hits->count > 0) || slab->empty || slab->from_ever || !(gap < 0.25 * hits->slack))
         return false;
     hits->near_end = hits->near_end || fabs(gap) < hits->slack;
     return true;
+}
+
+/* Does it end where the interval begins, or before? */
+static bool ends_before(const span *slab, const common_ray *k, double middle, const pov_hits *hits)
+{
+    const pov_two t = pov_two_add_double(slab->hi, middle);
+    const double at = t.hi * k->unit;
+
+    return !slab->empty && !slab->for_ever && (at < hits->tmin || (at == hits->tmin && !(t.lo * k->unit > 0.0)));
+}
+
+/* Does the slab alone tell that nothing is in the interval? Rays often start in the plane of a cap, and lights lie in it: the axis alone is
+ * looked at first. */
+static bool slab_decides(const common_cone *s, const common_ray *k, double middle, pov_hits *hits)
+{
+    const pov_two dz = pov_two3_dot(s->row[2], common_direction(k));
+    span slab;
+
+    if (s->slender || fabs(dz.hi) < LEVEL)
+        return false;
+    slab = slab_span(s, pov_two3_dot(s->row[2], common_along_two(k, middle)), dz);
+    return ends_before(&slab, k, middle, hits) || begins_behind(&slab, k, middle, hits);
 }
 
 void common_cone_escalate(const common_cone *s, const common_ray *k, const pov_ray *ray, double middle, pov_hits *hits)
@@ -240,7 +255,7 @@ void common_cone_escalate(const common_cone *s, const common_ray *k, const pov_r
     bool in, out;
 
     hits->escalated++;
-    if (!s->open && !starts && s->slope.hi == 0.0 && begins_behind(s, k, middle, hits))
+    if (!s->open && !starts && s->slope.hi == 0.0 && slab_decides(s, k, middle, hits))
         return;
     d = direction_of(s, k);
     leaves = starts ? leaving_of(s, k, d, ray->origin_mark.feature) : NOT_LEAVING;

@@ -143,6 +143,12 @@ static leaving approx_leaving(const common_cone *s, pov_vec3 f, const approx *g,
     return outward.v < 0.0 ? INWARD : OUTWARD;
 }
 
+/* Does the slab end about where the ray starts? Then more precision is needed for whatever is within. */
+static bool ends_at_start(const approx_span *slab, double middle, const pov_hits *hits)
+{
+    return hits->tmin == 0.0 && !slab->for_ever && fabs(middle + slab->hi.v) <= slab->hi.e;
+}
+
 static bool fast(const common_cone *s, const common_ray *k, const approx *g, leaving leaves, double middle,
                  pov_hits *hits)
 {
@@ -157,6 +163,8 @@ static bool fast(const common_cone *s, const common_ray *k, const approx *g, lea
         return false;
     if (slab.empty)
         return true;
+    if (!s->open && leaves == NOT_LEAVING && ends_at_start(&slab, middle, hits))
+        return false;
     if (!approx_side(s, g, k->d, &side))
         return false;
     if (side.empty)

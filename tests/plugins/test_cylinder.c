@@ -76,12 +76,38 @@ static void an_end_at_a_cap_is_near_and_not_crossed(void **state)
     fake_reader_destroy(in);
 }
 
+/* Of a ray that starts in a cap's plane, or a little to one side of it, and goes out, or in. */
+static void a_start_at_a_cap_is_on_one_side_of_it(void **state)
+{
+    static const double aside[] = { 0.0, 0x1p-90, -0x1p-90 };
+    static const uint32_t out[] = { 0, 0, 1 }, in[] = { 1, 1, 2 };
+    pov_reader *reader = fake_reader_create();
+    void *self;
+
+    (void)state;
+    fake_reader_text(reader, "<0, 0, 0>, <0, 0, 2>, 1.25");
+    self = fake_reader_parse(reader, cylinder);
+    for (int i = 0; i < 12; i++) {
+        const double z = i & 1 ? 2.0 : 0.0, outward = i & 1 ? 1.0 : -1.0, side = i & 2 ? -1.0 : 1.0, off = aside[i / 4];
+        const pov_ray ray = { .org = { 0.5, 0.25, z }, .org_lo = { 0.0, 0.0, outward * off }, .dir = { 0.1, 0.0, side * outward }, .origin_surface = POV_NO_OWNER };
+        pov_crossing at[2];
+        pov_hits hits = { .tmax = HUGE_VAL, .want = POV_WANT_ALL, .at = at, .capacity = 2, .owner = 0 };
+
+        cylinder->intersect(self, &ray, &hits);
+        assert_int_equal(hits.count, side > 0.0 ? out[i / 4] : in[off == 0.0 ? 0 : 3 - i / 4]);
+        if (i / 4 == (side > 0.0 ? 2 : 1))
+            assert_true(fabs(at[0].t - 0x1p-90) < 0x1p-130);
+    }
+    fake_reader_destroy(reader);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(doubles_tell_whether_a_ray_along_the_axis_is_inside),
         cmocka_unit_test(on_the_side_double_double_does),
         cmocka_unit_test(an_end_at_a_cap_is_near_and_not_crossed),
+        cmocka_unit_test(a_start_at_a_cap_is_on_one_side_of_it),
     };
 
     cylinder = fake_reader_shape("cylinder");
