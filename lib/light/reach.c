@@ -28,9 +28,12 @@ static form cylinder_form(const light *l, pov_vec3 v, pov_vec3 dir)
 /* Roots in order; false: none. */
 static bool roots(const form *f, double root[2])
 {
-    const double d = f->b * f->b - 4.0 * f->a * f->c, q = -0.5 * (f->b + copysign(sqrt(d > 0.0 ? d : 0.0), f->b));
-    double swap;
+    const double d = f->b * f->b - 4.0 * f->a * f->c;
+    double q, swap;
 
+    if (d < 0.0)
+        return false;
+    q = -0.5 * (f->b + copysign(sqrt(d > 0.0 ? d : 0.0), f->b));
     if (!(d >= 0.0) || f->a == 0.0 || q == 0.0) {
         root[0] = root[1] = f->a == 0.0 && f->b != 0.0 ? -f->c / f->b : 0.0;
         return f->a == 0.0 && f->b != 0.0;
