@@ -183,3 +183,34 @@ colour media_transmittance(const model *m, const media_set *s, const media_segme
     fill(&l, DENSITIES_SHADOW);
     return l.through;
 }
+
+/* ---- segments side by side ---- */
+
+/* As even_transmittance() has it. */
+void media_depths_put(const model *m, const media_set *s, double length, uint32_t i, media_depths *out)
+{
+    media_channel of[3];
+
+    media_set_even(m, s, NULL, of);
+    for (int c = 0; c < 3; c++)
+        out->by[c][i] = of[c].loss * length;
+}
+
+SIMD_CLONES static void find_left(const double *restrict depth, uint32_t n, float *restrict left)
+{
+    for (uint32_t i = 0; i < n; i++)
+        left[i] = (float)elementary_exp(-depth[i]);
+}
+
+void media_depths_left(const media_depths *d, uint32_t n, colour *out)
+{
+    float left[3][LANES_MAX];
+
+    for (int c = 0; c < 3; c++)
+        if (c > 0 && memcmp(d->by[c], d->by[c - 1], n * sizeof *d->by[c]) == 0)
+            memcpy(left[c], left[c - 1], n * sizeof *left[c]);
+        else
+            find_left(d->by[c], n, left[c]);
+    for (uint32_t i = 0; i < n; i++)
+        out[i] = colour_of(left[0][i], left[1][i], left[2][i]);
+}

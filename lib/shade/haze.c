@@ -7,9 +7,11 @@
 #include "shade/spawn.h"
 #include "shade/transmittance.h"
 
+static double length_of(const pov_ray *ray, double from, double to) { return (to - from) * light_length(ray->dir); }
+
 static media_segment segment_of(const pov_ray *ray, double from, double to)
 {
-    const media_segment s = { pov_add(ray->org, pov_scale(ray->dir, from)), pov_unit(ray->dir), (to - from) * light_length(ray->dir) };
+    const media_segment s = { pov_add(ray->org, pov_scale(ray->dir, from)), pov_unit(ray->dir), length_of(ray, from, to) };
 
     return s;
 }
@@ -26,21 +28,61 @@ static void walk_over(const shading *scene, interior_walk *w, const pov_ray *ray
     walk_cross(scene, w, at->owner, h.entering);
 }
 
-void haze_dim(const shading *scene, interior_walk *w, const pov_ray *ray, const pov_crossing *at, uint32_t count, light_product *by)
+/* What is still to be multiplied, by piece: those of one ray in their order. */
+typedef struct dims {
+    light_product *by;           /* by ray */
+    uint32_t count;
+    uint8_t ray[LANES_MAX];
+    media_depths depths;
+} dims;
+
+static void take_dims(dims *d)
 {
-    double before = 0.0;
-    media_set set;
+    colour left[LANES_MAX];
 
-    for (uint32_t i = 0; i < count; i++) {
-        walk_media(scene, w, &set);
-        if (set.count > 0 && at[i].t > before) {
-            const media_segment s = segment_of(ray, before, at[i].t);
+    media_depths_left(&d->depths, d->count, left);
+    for (uint32_t i = 0; i < d->count; i++)
+        light_take(&d->by[d->ray[i]], left[i]);
+    d->count = 0;
+}
 
-            light_take(by, media_transmittance(scene->model, &set, &s));
-        }
-        walk_over(scene, w, ray, &at[i]);
-        before = at[i].t;
+static void dim(const shading *scene, const media_set *set, const pov_ray *ray, double from, double to, uint32_t which, dims *d)
+{
+    media_segment s;
+
+    if (set->varies) {
+        take_dims(d);
+        s = segment_of(ray, from, to);
+        light_take(&d->by[which], media_transmittance(scene->model, set, &s));
+        return;
     }
+    d->ray[d->count] = (uint8_t)which;
+    media_depths_put(scene->model, set, length_of(ray, from, to), d->count++, &d->depths);
+    if (d->count == LANES_MAX)
+        take_dims(d);
+}
+
+void haze_dim(const shading *scene, interior_walk *around, const pov_ray *const *rays, const occlusion *found, uint64_t which, light_product *by)
+{
+    dims d;
+
+    d.by = by;
+    for (d.count = 0; which; which &= which - 1) {
+        const uint32_t i = first_of64(which);
+        double before = 0.0;
+
+        for (uint32_t k = 0; k < found->count[i]; k++) {
+            const pov_crossing *at = &found->at[i][k];
+            media_set set;
+
+            walk_media(scene, &around[i], &set);
+            if (set.count > 0 && at->t > before)
+                dim(scene, &set, rays[i], before, at->t, i, &d);
+            walk_over(scene, &around[i], rays[i], at);
+            before = at->t;
+        }
+    }
+    take_dims(&d);
 }
 
 /* Pieces of segments of light that fogs dim, those of one ray in their order. */
@@ -104,14 +146,37 @@ static double add_pieces(fogged *f, uint32_t which, interior_walk *w, const pov_
     return w->solids == 0 ? tmax : before;
 }
 
-static void attenuate_by_atmosphere(const shading *scene, const pov_ray *ray, double to, colour *through)
+static void dim_by_varied(const shading *scene, const media_set *set, const light_segments *on, const double *to, colour *through)
 {
-    const media_segment s = segment_of(ray, 0.0, to);
+    for (uint32_t i = 0; i < on->count; i++) {
+        const media_segment s = segment_of(on->rays[i], 0.0, to[i]);
+
+        if (to[i] > 0.0)
+            through[i] = colour_mul(through[i], media_transmittance(scene->model, set, &s));
+    }
+}
+
+/* A segment that ends where it begins leaves all. */
+static void dim_by_even(const shading *scene, const media_set *set, const light_segments *on, const double *to, colour *through)
+{
+    colour left[BATCH_MAX];
+    media_depths depths;
+
+    for (uint32_t i = 0; i < on->count; i++)
+        media_depths_put(scene->model, set, to[i] > 0.0 ? length_of(on->rays[i], 0.0, to[i]) : 0.0, i, &depths);
+    media_depths_left(&depths, on->count, left);
+    for (uint32_t i = 0; i < on->count; i++)
+        through[i] = colour_mul(through[i], left[i]);
+}
+
+/* to: by ray, where its part in the air ends. */
+static void attenuate_by_atmosphere(const shading *scene, const light_segments *on, const double *to, colour *through)
+{
     media_set set;
 
     walk_atmosphere(scene, 0, &set);
-    if (set.count > 0 && to > 0.0)
-        *through = colour_mul(*through, media_transmittance(scene->model, &set, &s));
+    if (set.count > 0)
+        (set.varies ? dim_by_varied : dim_by_even)(scene, &set, on, to, through);
 }
 
 /* As in POV-Ray fog dims what lies in no solid. */
@@ -134,8 +199,8 @@ static void attenuate(const shade_context *c, const light_segments *on, colour *
         air[i] = add_pieces(&f, i, &w, on->rays[i], on->tmax, &found);
     }
     dim_by_fogs(&f);
-    for (uint32_t i = 0; scene->model->atmosphere && i < on->count; i++)
-        attenuate_by_atmosphere(scene, on->rays[i], air[i], &through[i]);
+    if (scene->model->atmosphere)
+        attenuate_by_atmosphere(scene, on, air, through);
 }
 
 void haze_attenuate(const shade_context *c, const light *from, const light_segments *on, uint64_t lit, colour *through)

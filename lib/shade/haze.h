@@ -8,9 +8,9 @@
 /* What the media of a path's next segment do: what is behind becomes by x behind + given. Where it does not end at a surface only the
  * atmosphere acts. */
 void haze_cross(shade_context *c, const path *p, const media_segment *on, bool ends, colour *by, colour *given);
-/* What media leave of light that crosses these surfaces, in the order of their distances: every piece of its way that
- * ends at a surface counts, not the last one. */
-void haze_dim(const shading *scene, interior_walk *w, const pov_ray *ray, const pov_crossing *at, uint32_t count, light_product *by);
+/* What media leave of light that crosses the surfaces that these rays (bits) do, in the order of their distances: every piece of its way
+ * that ends at a surface counts, not the last one. */
+void haze_dim(const shading *scene, interior_walk *around, const pov_ray *const *rays, const occlusion *found, uint64_t which, light_product *by);
 /* Segments of light, up to BATCH_MAX: rays to org + tmax dir, each of which starts where its path was. */
 typedef struct light_segments { const pov_ray *const *rays; const path *const *from; uint32_t count; double tmax; } light_segments;
 

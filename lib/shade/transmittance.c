@@ -53,11 +53,11 @@ static void dim_by_solids(const shading *scene, interior_walk *around, const pov
     for (uint64_t rest = which; rest; rest &= rest - 1)
         by[first_of64(rest)] = product_of(colour_of(1.0f, 1.0f, 1.0f));
     crossings_fade(scene, around, rays, found, which, by);
+    if (scene->plan->media)
+        haze_dim(scene, around, rays, found, which, by);
     for (; which; which &= which - 1) {
         const uint32_t i = first_of64(which);
 
-        if (scene->plan->media)
-            haze_dim(scene, &around[i], rays[i], found->at[i], found->count[i], &by[i]);
         left[i].r *= by[i].r;
         left[i].g *= by[i].g;
         left[i].b *= by[i].b;
