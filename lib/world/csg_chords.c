@@ -6,6 +6,8 @@
 
 /* Boxes of members are compared with distances that are this much off. */
 static const double margin = 1.0 + 0x1p-40;
+/* The least cosine for which a surface's distance is told from that along the ray, where both are near zero. */
+static const double steep = 0x1p-10;
 
 enum { CROSSINGS = 2 * CSG_FEW + 1 };   /* one more than they can have */
 
@@ -78,18 +80,49 @@ void csg_find_chords(csg_tree *t)
 
 /* ---- members ---- */
 
-/* Crossings at this distance and at that one: which is farther? Where that is open the answer does not matter. */
+/* Crossings at this distance and at that one: which is farther? Where that is open the answer does not matter. Near the start they may be apart
+ * by much of their distances, and yet in one place. */
 static bool is_before(chord_search *s, double a, double b)
 {
-    s->unsure = s->unsure || fabs(b - a) <= CSG_SEPARATION * fabs(b);
+    const double gap = fabs(b - a);
+
+    s->unsure = s->unsure || gap <= CSG_SEPARATION * fabs(b) || gap * s->w->dir * steep <= CSG_SAME_POINT * s->w->size;
     return a < b;
+}
+
+/* What double-double has found near the start: behind it, before it for certain, or neither. */
+typedef enum side { BEHIND, BEFORE, UNKNOWN } side;
+
+static side side_of(const csg_traversal *w, const pov_crossing *at)
+{
+    const double slope = fabs(csg_slope(w, at));
+
+    if (!(at->mark.flags & POV_MARK_ESCALATED) || slope < steep * w->dir)
+        return UNKNOWN;
+    return at->t * slope <= CSG_SAME_POINT * w->size ? BEHIND : BEFORE;
+}
+
+/* Leave out crossings of the place that the ray starts from. */
+static void drop_behind(chord_search *s, uint32_t first)
+{
+    const double near = CSG_SEPARATION * s->w->size;
+    uint32_t kept = first;
+
+    for (uint32_t i = first; i < s->found.count; i++) {
+        const pov_crossing *at = &s->at[i];
+        const side is = at->t * s->w->dir > near ? BEFORE : side_of(s->w, at);
+
+        s->unsure = s->unsure || is == UNKNOWN;
+        if (is != BEHIND)
+            s->at[kept++] = *at;
+    }
+    s->found.count = kept;
 }
 
 /* The interval of a column's member. */
 static chord *ask(chord_search *s, uint32_t column)
 {
     const uint32_t first = s->found.count;
-    const double behind = CSG_SEPARATION * s->w->size;
     chord *c = &s->of[column];
     const pov_crossing *at = s->at + first;
     const csg_member *m;
@@ -101,10 +134,9 @@ static chord *ask(chord_search *s, uint32_t column)
     m = &s->w->tree->members[s->member[column]];
     s->found.owner = s->w->scratch->names + m->leaf;
     csg_intersect_member(s->w, m, &s->found);
+    drop_behind(s, first);
     count = s->found.count - first;
     c->in = c->out = NULL;
-    for (uint32_t i = 0; i < count; i++)
-        s->unsure = s->unsure || at[i].t * s->w->dir <= behind;
     s->unsure = s->unsure || count > 2;
     if (s->unsure || count == 0)
         return c;

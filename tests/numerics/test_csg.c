@@ -599,6 +599,54 @@ static void a_place_next_to_the_start_is_shared(void **state)
     fake_reader_destroy(s.in);
 }
 
+/* From the face of a neighbour, which may be off by little: what lies between both counts from 2^-92 of the tree's size on. */
+static void judge_by_a_face(scene *s, tally *out)
+{
+    static const double by[] = { 0.0, 0x1p-58, 0x1p-64, 0x1p-80, 0x1p-91, 0x1p-92, 0x1p-93, 0x1p-104 };
+
+    families_seed(seed);
+    for (int i = 0; i < 2000; i++) {
+        pov_ray ray = { .org = { 0.4 + 0.5 * U(), 0.4 * U(), i % 2 ? 0.25 : 0.0 }, .origin_surface = POV_NO_OWNER };
+        hit h;
+
+        ray.org_lo.z = (U() - 0.5) * by[below(8)];
+        ray.dir = families_direction();
+        judge(s, &ray, &h, out);
+    }
+}
+
+static void next_to_a_face_little_counts_and_less_does_not(void **state)
+{
+    static const probe members[] = {
+        { .kind = CYLINDER, .count = 7, .size = 1.0, .number = { 0.0, 0.0, 0.0, 0.0, 0.0, 0.25, 1.0 } },
+        { .kind = CYLINDER, .count = 7, .size = 1.0, .number = { 0.0, 0.0, -1.0, 0.0, 0.0, 1.0, 0.25 } },
+        { .kind = BOX, .count = 6, .size = 1.0, .number = { -1.5, -1.5, -1.0, 0.0, 1.5, 1.0 } } };
+    const world_options options = { .accel = POV_ACCEL_TREE, .threads = 1 };
+    const group_node all = { .op = NODE_INTERSECTION, .line = 1, .column = 1 };
+    tally found = { 0, 0, 0, 0, 0 };
+    node_ref children[3];
+    scene s;
+
+    (void)state;
+    memset(&s, 0, sizeof s);
+    test_model_init(&s.model, NULL);
+    s.in = fake_reader_create();
+    for (int i = 0; i < 3; i++) {
+        s.probes[i] = members[i];
+        children[i] = add_probe(&s, &s.probes[i], i > 0 ? LEAF_INVERSE : 0);
+    }
+    assert_true(model_add_group(&s.model, &all, children, 3, &s.root) && model_add_tree(&s.model, s.root));
+    assert_int_equal(world_create(&s.world, &s.model, &options, NULL), POV_OK);
+    assert_int_equal(query_context_create(&s.context, s.world, NULL), POV_OK);
+    judge_by_a_face(&s, &found);
+    assert_true(found.judged > 1500 && found.hits > 1000);
+    assert_int_equal(found.wrong, 0);
+    query_context_destroy(s.context);
+    world_destroy(s.world);
+    model_free(&s.model);
+    fake_reader_destroy(s.in);
+}
+
 static void random_trees_keep_their_rules(void **state)
 {
     (void)state;
@@ -615,6 +663,7 @@ static void equal_tori_are_one_surface(void **state)
 int main(int argc, char **argv)
 {
     const struct CMUnitTest tests[] = { cmocka_unit_test(a_place_next_to_the_start_is_shared),
+                                       cmocka_unit_test(next_to_a_face_little_counts_and_less_does_not),
                                        cmocka_unit_test(random_trees_keep_their_rules),
                                        cmocka_unit_test(equal_tori_are_one_surface) };
     int failed;
