@@ -81,7 +81,8 @@ typedef struct search { pov_ray ray; double from; } search;
 /* Members of a group are asked again behind crossings that are no surface of the group. */
 enum { CROSSINGS_MAX = 4096 };
 
-static bool trace(pov_reader *in, const object_parsed *o, const search *outer, object_hit *best);
+/* cuts: what is left of the object when it cuts is asked, which is of the same surfaces where all members are solids. */
+static bool trace(pov_reader *in, const object_parsed *o, const search *outer, bool cuts, object_hit *best);
 
 /* The normal that light sees, as in POV-Ray, of a leaf that is moved by `map` or by none. */
 static void find_normal(const subject *s, const pov_affine *map, const pov_ray *ray, const pov_crossing *at, pov_vec3 *out)
@@ -135,6 +136,7 @@ static bool trace_leaf(pov_reader *in, const object_parsed *o, const pov_affine 
         best->t = at.t;
         find_normal(&s, map, &ask->ray, &at, &best->normal);
         best->on_patch = shape_is_patch(s.shape);
+        best->on_sheet = !shape_is_solid(s.shape, o->leaf.instance);
         if (s.shape->reversed && s.shape->reversed(s.self, &ask->ray, &at))
             best->normal = pov_sub(zero, best->normal);
         if (o->flags & LEAF_INVERSE)
@@ -142,16 +144,6 @@ static bool trace_leaf(pov_reader *in, const object_parsed *o, const pov_affine 
     }
     subject_end(in, &s);
     return found;
-}
-
-static bool is_sheet(const object_parsed *o)
-{
-    const object_parsed *member;
-
-    for (member = o->kind == OBJECT_GROUP ? o->first : NULL; member; member = member->next)
-        if (!is_sheet(member))
-            return false;
-    return o->kind == OBJECT_GROUP || !shape_is_solid(o->leaf.shape, o->leaf.instance);
 }
 
 /* So little of the ray is far beyond its rounding. */
@@ -162,22 +154,22 @@ static double grain(const pov_ray *ray, double t)
 
 /* A crossing of a solid is one of the group where before it is in the group and behind it is not, or the other way round:
  * faces of members may coincide. One of a sheet is, where being in it decides about being in the group. */
-static bool is_surface(pov_reader *in, const object_parsed *o, const object_parsed *member, const pov_ray *ray,
-                       double t)
+static bool is_surface(pov_reader *in, const object_parsed *o, const object_parsed *member, const pov_ray *ray, bool turned,
+                       const object_hit *h)
 {
-    const double step = grain(ray, t);
-    const pov_vec3 point = pov_add(ray->org, pov_scale(ray->dir, t));
+    const double step = grain(ray, h->t);
+    const pov_vec3 point = pov_add(ray->org, pov_scale(ray->dir, h->t));
 
-    if (is_sheet(member))
-        return group_holds(in, o, point, false, member, true) != group_holds(in, o, point, false, member, false);
-    return group_holds(in, o, pov_add(ray->org, pov_scale(ray->dir, t - step)), false, NULL, false) !=
-           group_holds(in, o, pov_add(ray->org, pov_scale(ray->dir, t + step)), false, NULL, false);
+    if (h->on_sheet)
+        return group_holds(in, o, point, turned, member, true) != group_holds(in, o, point, turned, member, false);
+    return group_holds(in, o, pov_add(ray->org, pov_scale(ray->dir, h->t - step)), turned, NULL, false) !=
+           group_holds(in, o, pov_add(ray->org, pov_scale(ray->dir, h->t + step)), turned, NULL, false);
 }
 
 /* A crossing may lie a little behind its distance as a double: it is not met again. */
 static double behind(double t) { return t + fmax(DBL_EPSILON * fabs(t), DBL_MIN); }
 
-static bool trace_member(pov_reader *in, const object_parsed *o, const object_parsed *member, search ask,
+static bool trace_member(pov_reader *in, const object_parsed *o, const object_parsed *member, search ask, bool turned,
                          object_hit *best)
 {
     const bool is_hole = o->op == NODE_DIFFERENCE && member != o->first;
@@ -186,9 +178,9 @@ static bool trace_member(pov_reader *in, const object_parsed *o, const object_pa
     for (i = 0; i < CROSSINGS_MAX; i++) {
         object_hit hit = *best;
 
-        if (!trace(in, member, &ask, &hit))
+        if (!trace(in, member, &ask, is_hole != turned, &hit))
             return false;
-        if (o->op == NODE_UNION || is_surface(in, o, member, &ask.ray, hit.t)) {
+        if ((o->op == NODE_UNION && !turned) || is_surface(in, o, member, &ask.ray, turned, &hit)) {
             *best = hit;
             if (is_hole)
                 invert(best);
@@ -200,8 +192,9 @@ static bool trace_member(pov_reader *in, const object_parsed *o, const object_pa
 }
 
 /* Of an object as if nothing clipped it. */
-static bool trace_whole(pov_reader *in, const object_parsed *o, const search *outer, object_hit *best)
+static bool trace_whole(pov_reader *in, const object_parsed *o, const search *outer, bool cuts, object_hit *best)
 {
+    const bool turned = ((o->flags & LEAF_INVERSE) != 0) != cuts;
     const object_parsed *member;
     search ask = *outer;
     bool found = false, is_mapped;
@@ -215,7 +208,7 @@ static bool trace_whole(pov_reader *in, const object_parsed *o, const search *ou
     if (o->kind == OBJECT_LEAF)
         found = trace_leaf(in, o, is_mapped ? &map : NULL, &ask, best);
     for (member = o->kind == OBJECT_GROUP ? o->first : NULL; member; member = member->next)
-        found |= trace_member(in, o, member, ask, best);
+        found |= trace_member(in, o, member, ask, turned, best);
     if (found && is_mapped && o->kind == OBJECT_GROUP)
         best->normal = subject_map_normal(&map, best->normal);
     if (found && o->kind == OBJECT_GROUP && (o->flags & LEAF_INVERSE))
@@ -223,14 +216,14 @@ static bool trace_whole(pov_reader *in, const object_parsed *o, const search *ou
     return found;
 }
 
-static bool trace(pov_reader *in, const object_parsed *o, const search *outer, object_hit *best)
+static bool trace(pov_reader *in, const object_parsed *o, const search *outer, bool cuts, object_hit *best)
 {
     search ask = *outer;
 
     for (int i = 0; i < CROSSINGS_MAX; i++) {
         object_hit hit = *best;
 
-        if (!trace_whole(in, o, &ask, &hit))
+        if (!trace_whole(in, o, &ask, cuts, &hit))
             return false;
         if (!o->clips || clips_hold(in, o, pov_add(ask.ray.org, pov_scale(ask.ray.dir, hit.t)))) {
             *best = hit;
@@ -250,5 +243,5 @@ bool object_trace(pov_reader *in, const object_parsed *o, pov_vec3 origin, pov_v
     ask.ray.dir = direction;
     ask.ray.origin_surface = POV_NO_OWNER;
     out->t = HUGE_VAL;
-    return trace(in, o, &ask, out);
+    return trace(in, o, &ask, false, out);
 }

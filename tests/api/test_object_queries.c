@@ -164,6 +164,29 @@ static void a_triangle_that_cuts_is_all_that_is_seen(void **state)
     assert_seen("object { union { box { -1, 1 } triangle { <-2,-2,3>, <2,-2,3>, <0,2,3> } } inverse }", 3.0);
 }
 
+/* As rays of the camera see them. */
+static void a_triangle_beside_solids_in_a_union_is_traced_in_a_solid(void **state)
+{
+#define BESIDE "union { triangle { <-2,-2,.5>, <2,-2,.5>, <0,2,.5> } sphere { 3*x, .2 } }"
+    (void)state;
+    assert_value(TRACED("intersection { sphere { 0, 1 } " BESIDE " }"), "P.z", 0.5);
+    assert_value(TRACED("difference { sphere { 0, 1 } " BESIDE " }"), "P.z", 0.5);
+    assert_value(TRACED("difference { " BESIDE " sphere { y, .2 } }"), "P.z", 0.5);
+    assert_value(TRACED("difference { " BESIDE " sphere { 0, .6 } }"), "1 + vlength(N)", 1.0);
+    assert_value(TRACED("merge { sphere { z, .7 } " BESIDE " }"), "P.z", 0.3);
+}
+
+/* Of a group that cuts what its members' complements make is traced. */
+static void what_a_triangle_leaves_of_solids_is_traced(void **state)
+{
+#define TRIANGLE "triangle { <-2,-2,.5>, <2,-2,.5>, <0,2,.5> }"
+    (void)state;
+    assert_value(TRACED("difference { sphere { 0, 1 } difference { " TRIANGLE " sphere { 0, .4 } } }"), "-P.z", 0.4);
+    assert_value(TRACED("difference { sphere { 0, 1 } union { " TRIANGLE " sphere { .5*z, .1 } } }"), "1 + vlength(N)", 1.0);
+    assert_value(TRACED("difference { sphere { 0, 1 } union { " TRIANGLE " sphere { 0, .1 } } inverse }"), "-P.z", 1.0);
+    assert_value(TRACED("union { " TRIANGLE " sphere { .5*z, .1 } inverse }"), "1 + vlength(N)", 1.0);
+}
+
 /* A member that ends where another is met again and again by rays of an oblique map. */
 static void no_crossing_is_met_twice(void **state)
 {
@@ -196,6 +219,8 @@ int main(void)
         cmocka_unit_test(a_point_is_inside_where_the_clips_are),
         cmocka_unit_test(a_triangle_holds_nothing),
         cmocka_unit_test(a_triangle_that_cuts_is_all_that_is_seen),
+        cmocka_unit_test(a_triangle_beside_solids_in_a_union_is_traced_in_a_solid),
+        cmocka_unit_test(what_a_triangle_leaves_of_solids_is_traced),
         cmocka_unit_test(a_group_without_members_holds_nothing),
         cmocka_unit_test(a_lathe_of_bezier_splines_has_no_inside_nearer_than_its_points),
         cmocka_unit_test(no_crossing_is_met_twice),
