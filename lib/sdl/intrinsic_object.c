@@ -59,7 +59,7 @@ static value *read_normal(pov_reader *in, shared **lender)
 
 static void read_trace(pov_reader *in, const intrinsic *row, value *out)
 {
-    object_hit hit = { 0.0, { 0.0, 0.0, 0.0 }, false, false };
+    object_hit hit = { 0.0, { 0.0, 0.0, 0.0 } };
     pov_vec3 origin, direction;
     const object_parsed *o;
     shared *lender = NULL;

@@ -78,44 +78,65 @@ bool object_holds(pov_reader *in, const object_parsed *o, pov_vec3 point) { retu
 /* The nearest crossing beyond `from` and before best->t. */
 typedef struct search { pov_ray ray; double from; } search;
 
+/* on_patch: of a shape that nothing inverts; on_sheet: of one that has no inside. Where light sees another normal it is the blend of
+ * normals as they are in the scene: each is moved with the groups around. */
+typedef struct crossing {
+    double t;
+    bool on_patch, on_sheet;
+    uint32_t count;
+    pov_vec3 normal, blend[POV_NORMALS_MAX];
+    double share[POV_NORMALS_MAX];
+} crossing;
+
 /* Members of a group are asked again behind crossings that are no surface of the group. */
 enum { CROSSINGS_MAX = 4096 };
 
 /* cuts: what is left of the object when it cuts is asked, which is of the same surfaces where all members are solids. */
-static bool trace(pov_reader *in, const object_parsed *o, const search *outer, bool cuts, object_hit *best);
+static bool trace(pov_reader *in, const object_parsed *o, const search *outer, bool cuts, crossing *best);
 
-/* The normal that light sees, as in POV-Ray, of a leaf that is moved by `map` or by none. */
-static void find_normal(const subject *s, const pov_affine *map, const pov_ray *ray, const pov_crossing *at, pov_vec3 *out)
+static void move_normals(const pov_affine *map, crossing *c)
 {
-    const pov_vec3 zero = pov_vec3_of(0.0, 0.0, 0.0), point = pov_add(ray->org, pov_scale(ray->dir, at->t));
-    pov_vec3 normal[POV_NORMALS_MAX];
-    double share[POV_NORMALS_MAX];
-    uint32_t count = 0, i;
+    c->normal = subject_map_normal(map, c->normal);
+    for (uint32_t i = 0; i < c->count; i++)
+        c->blend[i] = subject_map_normal(map, c->blend[i]);
+}
 
+static void turn_normals(crossing *c)
+{
+    c->normal = pov_scale(c->normal, -1.0);
+    for (uint32_t i = 0; i < c->count; i++)
+        c->blend[i] = pov_scale(c->blend[i], -1.0);
+}
+
+/* The normal that light sees, as in POV-Ray. */
+static pov_vec3 seen_normal(const crossing *c)
+{
+    pov_vec3 sum = pov_vec3_of(0.0, 0.0, 0.0);
+
+    for (uint32_t i = 0; i < c->count; i++)
+        sum = pov_add(sum, pov_scale(c->blend[i], c->share[i]));
+    return pov_largest(sum) > 0.0 ? pov_unit(sum) : c->normal;
+}
+
+static void find_normals(const subject *s, const pov_ray *ray, const pov_crossing *at, crossing *out)
+{
+    const pov_vec3 point = pov_add(ray->org, pov_scale(ray->dir, at->t));
+
+    out->count = 0;
     if (s->shape->shading_normals)
-        count = s->shape->shading_normals(s->self, point, zero, &at->mark, normal, share);
-    *out = zero;
-    for (i = 0; i < count; i++)
-        *out = pov_add(*out, pov_scale(map ? subject_map_normal(map, normal[i]) : normal[i], share[i]));
-    if (pov_largest(*out) > 0.0) {
-        *out = pov_unit(*out);
-        return;
-    }
-    s->shape->normal(s->self, ray, at, out);
-    if (map)
-        *out = subject_map_normal(map, *out);
+        out->count = s->shape->shading_normals(s->self, point, pov_vec3_of(0.0, 0.0, 0.0), &at->mark, out->blend, out->share);
+    s->shape->normal(s->self, ray, at, &out->normal);
 }
 
 /* Nothing inverts a patch. */
-static void invert(object_hit *h)
+static void invert(crossing *c)
 {
-    if (!h->on_patch)
-        h->normal = pov_scale(h->normal, -1.0);
+    if (!c->on_patch)
+        turn_normals(c);
 }
 
-static bool trace_leaf(pov_reader *in, const object_parsed *o, const pov_affine *map, const search *ask, object_hit *best)
+static bool trace_leaf(pov_reader *in, const object_parsed *o, const search *ask, crossing *best)
 {
-    const pov_vec3 zero = pov_vec3_of(0.0, 0.0, 0.0);
     pov_crossing at;
     pov_hits hits;
     subject s;
@@ -134,11 +155,11 @@ static bool trace_leaf(pov_reader *in, const object_parsed *o, const pov_affine 
     found = hits.count > 0 && at.t < best->t;
     if (found) {
         best->t = at.t;
-        find_normal(&s, map, &ask->ray, &at, &best->normal);
+        find_normals(&s, &ask->ray, &at, best);
         best->on_patch = shape_is_patch(s.shape);
         best->on_sheet = !shape_is_solid(s.shape, o->leaf.instance);
         if (s.shape->reversed && s.shape->reversed(s.self, &ask->ray, &at))
-            best->normal = pov_sub(zero, best->normal);
+            turn_normals(best);
         if (o->flags & LEAF_INVERSE)
             invert(best);
     }
@@ -155,7 +176,7 @@ static double grain(const pov_ray *ray, double t)
 /* A crossing of a solid is one of the group where before it is in the group and behind it is not, or the other way round:
  * faces of members may coincide. One of a sheet is, where being in it decides about being in the group. */
 static bool is_surface(pov_reader *in, const object_parsed *o, const object_parsed *member, const pov_ray *ray, bool turned,
-                       const object_hit *h)
+                       const crossing *h)
 {
     const double step = grain(ray, h->t);
     const pov_vec3 point = pov_add(ray->org, pov_scale(ray->dir, h->t));
@@ -170,13 +191,13 @@ static bool is_surface(pov_reader *in, const object_parsed *o, const object_pars
 static double behind(double t) { return t + fmax(DBL_EPSILON * fabs(t), DBL_MIN); }
 
 static bool trace_member(pov_reader *in, const object_parsed *o, const object_parsed *member, search ask, bool turned,
-                         object_hit *best)
+                         crossing *best)
 {
     const bool is_hole = o->op == NODE_DIFFERENCE && member != o->first;
     int i;
 
     for (i = 0; i < CROSSINGS_MAX; i++) {
-        object_hit hit = *best;
+        crossing hit = *best;
 
         if (!trace(in, member, &ask, is_hole != turned, &hit))
             return false;
@@ -192,7 +213,7 @@ static bool trace_member(pov_reader *in, const object_parsed *o, const object_pa
 }
 
 /* Of an object as if nothing clipped it. */
-static bool trace_whole(pov_reader *in, const object_parsed *o, const search *outer, bool cuts, object_hit *best)
+static bool trace_whole(pov_reader *in, const object_parsed *o, const search *outer, bool cuts, crossing *best)
 {
     const bool turned = ((o->flags & LEAF_INVERSE) != 0) != cuts;
     const object_parsed *member;
@@ -206,22 +227,22 @@ static bool trace_whole(pov_reader *in, const object_parsed *o, const search *ou
         ask.ray.dir = subject_back(&map, outer->ray.dir, 0.0);
     }
     if (o->kind == OBJECT_LEAF)
-        found = trace_leaf(in, o, is_mapped ? &map : NULL, &ask, best);
+        found = trace_leaf(in, o, &ask, best);
     for (member = o->kind == OBJECT_GROUP ? o->first : NULL; member; member = member->next)
         found |= trace_member(in, o, member, ask, turned, best);
-    if (found && is_mapped && o->kind == OBJECT_GROUP)
-        best->normal = subject_map_normal(&map, best->normal);
+    if (found && is_mapped)
+        move_normals(&map, best);
     if (found && o->kind == OBJECT_GROUP && (o->flags & LEAF_INVERSE))
         invert(best);
     return found;
 }
 
-static bool trace(pov_reader *in, const object_parsed *o, const search *outer, bool cuts, object_hit *best)
+static bool trace(pov_reader *in, const object_parsed *o, const search *outer, bool cuts, crossing *best)
 {
     search ask = *outer;
 
     for (int i = 0; i < CROSSINGS_MAX; i++) {
-        object_hit hit = *best;
+        crossing hit = *best;
 
         if (!trace_whole(in, o, &ask, cuts, &hit))
             return false;
@@ -237,11 +258,17 @@ static bool trace(pov_reader *in, const object_parsed *o, const search *outer, b
 bool object_trace(pov_reader *in, const object_parsed *o, pov_vec3 origin, pov_vec3 direction, object_hit *out)
 {
     search ask;
+    crossing best;
 
     memset(&ask, 0, sizeof ask);
+    memset(&best, 0, sizeof best);
     ask.ray.org = origin;
     ask.ray.dir = direction;
     ask.ray.origin_surface = POV_NO_OWNER;
-    out->t = HUGE_VAL;
-    return trace(in, o, &ask, false, out);
+    best.t = HUGE_VAL;
+    if (!trace(in, o, &ask, false, &best))
+        return false;
+    out->t = best.t;
+    out->normal = seen_normal(&best);
+    return true;
 }

@@ -4,8 +4,8 @@
 
 #include "sdl/parse.h"
 
-/* on_patch: of a shape that nothing inverts; on_sheet: of one that has no inside. */
-typedef struct object_hit { double t; pov_vec3 normal; bool on_patch, on_sheet; } object_hit;
+/* The normal is the one that light sees. */
+typedef struct object_hit { double t; pov_vec3 normal; } object_hit;
 
 /* The first hit in front of the origin, in multiples of the direction. False: there is none. */
 bool object_trace(pov_reader *in, const object_parsed *o, pov_vec3 origin, pov_vec3 direction, object_hit *out);

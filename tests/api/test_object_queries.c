@@ -187,6 +187,15 @@ static void what_a_triangle_leaves_of_solids_is_traced(void **state)
     assert_value(TRACED("union { " TRIANGLE " sphere { .5*z, .1 } inverse }"), "1 + vlength(N)", 1.0);
 }
 
+/* Whether the object was scaled, or a group that it is in. */
+static void the_normals_of_a_smooth_triangle_are_blended_in_the_scene(void **state)
+{
+#define SMOOTH "smooth_triangle { <-2,-2,0>, <1,0,-1>, <2,-2,0>, <0,3,-1>, <0,2,0>, -z "
+    (void)state;
+    assert_value("#declare M = <0,0,0>; #declare R = " SMOOTH "scale <1,3,1> } #declare P = trace(R, -9*z, z, M);"
+                 TRACED("union { " SMOOTH "} scale <1,3,1> }"), "1 + vlength(N - M)", 1.0);
+}
+
 /* A member that ends where another is met again and again by rays of an oblique map. */
 static void no_crossing_is_met_twice(void **state)
 {
@@ -221,6 +230,7 @@ int main(void)
         cmocka_unit_test(a_triangle_that_cuts_is_all_that_is_seen),
         cmocka_unit_test(a_triangle_beside_solids_in_a_union_is_traced_in_a_solid),
         cmocka_unit_test(what_a_triangle_leaves_of_solids_is_traced),
+        cmocka_unit_test(the_normals_of_a_smooth_triangle_are_blended_in_the_scene),
         cmocka_unit_test(a_group_without_members_holds_nothing),
         cmocka_unit_test(a_lathe_of_bezier_splines_has_no_inside_nearer_than_its_points),
         cmocka_unit_test(no_crossing_is_met_twice),
