@@ -140,10 +140,18 @@ static void read_fog_colour(pov_reader *in, fog *f)
     f->pigment.transmit = p.transmit;
 }
 
+/* Any word of it makes a fog turbulent, as in POV-Ray even where no point is moved. Before that it has no octaves. */
+static turbulence *turbulence_of(fog *f)
+{
+    if (f->turbulence.octaves == 0)
+        f->turbulence = turbulence_default();
+    return &f->turbulence;
+}
+
 static void read_fog_turbulence(pov_reader *in, void *self, keyword_id keyword)
 {
     (void)keyword;
-    ((fog *)self)->turbulence.amount = value_vector(in);
+    turbulence_of(self)->amount = value_vector(in);
 }
 
 static void read_fog_up(pov_reader *in, void *self, keyword_id keyword)
@@ -153,7 +161,7 @@ static void read_fog_up(pov_reader *in, void *self, keyword_id keyword)
 }
 
 #define FOG_OCTAVES(name) \
-    static void fog_##name(pov_reader *in, void *self, keyword_id keyword) { parse_##name(in, &((fog *)self)->turbulence, keyword); }
+    static void fog_##name(pov_reader *in, void *self, keyword_id keyword) { parse_##name(in, turbulence_of(self), keyword); }
 FOG_OCTAVES(octaves)
 FOG_OCTAVES(lambda)
 FOG_OCTAVES(omega)
@@ -210,7 +218,6 @@ const fog *parse_fog_node(pov_reader *in)
     memset(&f, 0, sizeof f);
     f.up = pov_vec3_of(0.0, 1.0, 0.0);
     f.depth = 0.5;
-    f.turbulence = turbulence_default();
     items_open(in, &b);
     read_fog_items(in, &f);
     in->block = b.outer;
@@ -231,7 +238,7 @@ void parse_fog(pov_reader *in, void *self, keyword_id keyword)
         report_warn(in, &at, "a fog without a \"distance\" above 0 is left out");
         return;
     }
-    if (!turbulence_is_none(&f->turbulence))
+    if (f->turbulence.octaves > 0)
         noise_of(in);
     if (!in->failed && !VEC_PUSH(in->model->env, &in->model->fogs, *f))
         report_memory(in);

@@ -221,7 +221,7 @@ void fog_find(const model *m, const fog_segments *s, fog_veils *out)
 
         find_course(f, s, n, depth);
         divide(f->distance, n, depth);
-        if (!turbulence_is_none(&f->turbulence))
+        if (f->turbulence.octaves > 0)
             thin(m, f, s, depth);
         add_fog(f, depth, n, out);
     }

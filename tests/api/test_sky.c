@@ -106,6 +106,24 @@ static void a_solid_that_is_not_seen_holds_no_fog_up(void **state)
     assert_seen("3.7", body, 0.5, 0.5, 0.5);
 }
 
+/* The noise at the origin makes it thinner all over; values as measured. */
+static void a_word_of_turbulence_makes_fog_thinner(void **state)
+{
+    static const char scene[] = "fog { distance 5 rgb <.3, .7, .8> %s } plane { -z, -5 pigment { rgb .5 } finish { ambient 1 diffuse 0 } }";
+    static const struct { const char *words; double red, green, blue; } cases[] = {
+        { "turb_depth .8", 0.348623, 0.651377, 0.727065 },
+        { "octaves 6", 0.350240, 0.649760, 0.724640 },
+        { "turb_depth .8 octaves 2 turbulence 0", 0.350601, 0.649399, 0.724098 },
+    };
+    char body[512];
+
+    (void)state;
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        snprintf(body, sizeof body, scene, cases[i].words);
+        assert_seen("3.7", body, cases[i].red, cases[i].green, cases[i].blue);
+    }
+}
+
 /* Fog that lets half through at most does so once on the whole way. */
 static void a_way_across_what_is_not_seen_is_one(void **state)
 {
@@ -211,6 +229,7 @@ int main(void)
         cmocka_unit_test(a_way_across_what_is_not_seen_is_one),
         cmocka_unit_test(the_arc_of_a_rainbow_limits_what_its_distance_leaves),
         cmocka_unit_test(what_moves_a_fog_turns_its_top),
+        cmocka_unit_test(a_word_of_turbulence_makes_fog_thinner),
         cmocka_unit_test(the_last_sky_counts_and_emission_scales_its_own_light),
     };
 
