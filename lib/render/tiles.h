@@ -7,7 +7,7 @@
 #include <povtrace/render.h>
 
 /* Edges are multiples of the coarsest lattice of a preview, so that every tile holds whole lattices. */
-enum { TILE_EDGE_MIN = 16, TILE_EDGE_MAX = 64 };
+enum { TILE_EDGE_MIN = 16, TILE_EDGE_MAX = 128 };
 
 typedef struct tiles {
     int width, height;           /* of the picture, pixels */

@@ -319,6 +319,20 @@ static void tiles_come_from_the_middle_outwards(void **state)
     tiles_free(&t, &e);
 }
 
+/* What lies around a tile is traced for it, too. Each thread has four tiles at least. */
+static void tiles_of_pixels_that_lend_are_wide(void **state)
+{
+    tiles one, many, plain;
+    (void)state;
+
+    tiles_make(&one, 512, 256, 2, true);
+    tiles_make(&many, 512, 256, 3, true);
+    tiles_make(&plain, 5120, 2560, 2, false);
+    assert_int_equal(one.edge, 128);
+    assert_int_equal(many.edge, 64);
+    assert_int_equal(plain.edge, 64);
+}
+
 static void passes_have_every_pixel_of_a_tile_once(void **state)
 {
     (void)state;
@@ -527,6 +541,7 @@ int main(void)
         cmocka_unit_test(every_pixel_and_half_has_places_of_its_own),
         cmocka_unit_test(tiles_cover_every_pixel_once),
         cmocka_unit_test(tiles_come_from_the_middle_outwards),
+        cmocka_unit_test(tiles_of_pixels_that_lend_are_wide),
         cmocka_unit_test(passes_have_every_pixel_of_a_tile_once),
         cmocka_unit_test(a_missing_pixel_shows_its_nearest_coarser_one),
         cmocka_unit_test(a_finer_pass_shows_only_when_the_coarser_ones_are_in),
