@@ -76,6 +76,12 @@ static uint32_t all_but_end(const packet *p, const leaf_batch *r)
     return out;
 }
 
+/* Does a lane of a batch count? */
+static inline bool casts_at(const packet *p, const leaf_batch *r, uint32_t lane)
+{
+    return p->whole ? r->object[lane] != p->end : r->casts >> lane & 1;
+}
+
 /* The lanes of a batch that count. */
 static inline uint32_t casts_of(const packet *p, const leaf_batch *r) { return p->whole ? all_but_end(p, r) : r->casts; }
 
@@ -90,7 +96,7 @@ static bool is_open(packet *p, const leaf_batch *r, const pov_candidate *m)
 {
     const pov_ray *ray = p->rays[m->ray];
 
-    if (!(casts_of(p, r) >> m->lane & 1) || is_excluded(r, m->lane, ray, p->traversal.soa.excluded[m->ray]))
+    if (!casts_at(p, r, m->lane) || is_excluded(r, m->lane, ray, p->traversal.soa.excluded[m->ray]))
         return false;
     begin_light(p, m->ray);
     return p->any_blocks || !clear_solid_passes(r, m, ray, &p->filter_hits[m->ray]);
@@ -169,7 +175,7 @@ static uint64_t take_shapes(packet *p, const leaf_batch *r, uint32_t n, uint64_t
 static bool any_open(const packet *p, const leaf_batch *r, const pov_candidate *m, uint32_t n, uint64_t ended)
 {
     for (; n > 0; m++, n--)
-        if (!(ended >> m->ray & 1) && (casts_of(p, r) >> m->lane & 1))
+        if (!(ended >> m->ray & 1) && casts_at(p, r, m->lane))
             return true;
     return false;
 }
@@ -261,7 +267,7 @@ static uint64_t leaf_occlusion(bvh_traversal *traversal, const void *leaf, uint6
         if (lanes & ~exact)
             ended |= filter(p, r, lanes & ~exact);
         for (uint32_t which = 0, together = packet_asks_together(p, r, exact) ? r->count : 0; which < together; which++)
-            if (casts_of(p, r) >> which & 1)
+            if (casts_at(p, r, which))
                 ended |= ask_together(p, r, which, exact & ~ended);
         if (packet_asks_together(p, r, exact))
             exact = 0;
@@ -436,10 +442,29 @@ uint64_t query_occlusion(const world *w, query_context *k, const pov_ray *const 
     return all_of(n) & ~dark;
 }
 
+/* Do all rays start on a convex shape or inside? It holds the box around them if it holds the box's corners. */
+static bool start_inside(const shape_class *shape, const void *self, uint32_t object, const pov_ray *const *rays, uint32_t n)
+{
+    const pov_vec3 none = { 0.0, 0.0, 0.0 };
+    pov_vec3 lo = { HUGE_VAL, HUGE_VAL, HUGE_VAL }, hi = { -HUGE_VAL, -HUGE_VAL, -HUGE_VAL };
+
+    for (uint32_t i = 0; i < n; i++) {
+        const pov_vec3 p = rays[i]->org;
+
+        if (rays[i]->origin_surface == object)
+            continue;
+        lo = pov_vec3_of(p.x < lo.x ? p.x : lo.x, p.y < lo.y ? p.y : lo.y, p.z < lo.z ? p.z : lo.z);
+        hi = pov_vec3_of(p.x > hi.x ? p.x : hi.x, p.y > hi.y ? p.y : hi.y, p.z > hi.z ? p.z : hi.z);
+    }
+    for (int i = 0; lo.x <= hi.x && i < 8; i++)
+        if (!shape->inside(self, pov_vec3_of(i & 1 ? hi.x : lo.x, i & 2 ? hi.y : lo.y, i & 4 ? hi.z : lo.z), none))
+            return false;
+    return true;
+}
+
 /* Do segments that end on a convex solid cross it nowhere else? From outside they do not, and from inside if they start there. */
 static bool crosses_end_once(const world *w, const pov_ray *const *rays, uint32_t n, departure end)
 {
-    const pov_vec3 none = { 0.0, 0.0, 0.0 };
     const shape_class *shape;
     shape_ref ref;
 
@@ -451,12 +476,7 @@ static bool crosses_end_once(const world *w, const pov_ray *const *rays, uint32_
     if (end.outward)
         return true;
     ref = world_shape(w, end.object);
-    if (ref.xform || !shape->inside)
-        return false;
-    for (uint32_t i = 0; i < n; i++)
-        if (rays[i]->origin_surface != end.object && !shape->inside(ref.instance, rays[i]->org, none))
-            return false;
-    return true;
+    return !ref.xform && shape->inside && start_inside(shape, ref.instance, end.object, rays, n);
 }
 
 uint64_t query_visible(const world *w, query_context *k, const pov_ray *const *rays, uint32_t n, double tmax, departure end)
@@ -464,13 +484,10 @@ uint64_t query_visible(const world *w, query_context *k, const pov_ray *const *r
     const uint32_t once = crosses_end_once(w, rays, n, end) ? end.object : POV_NO_OWNER;
     bvh_group groups[BVH_GROUPS];
     occlusion out = { .near_end = 0 };
+    const uint32_t count = packet_divide(w, rays, n, all_of(n), false, groups);
     uint64_t dark = 0;
-    uint32_t count;
     packet p;
 
-    if (n == 0)
-        return 0;
-    count = packet_divide(w, rays, n, all_of(n), false, groups);
     for (uint32_t i = 0; i < count; i++) {
         packet_begin(&p, w, k, rays, groups[i].lanes, tmax, tmax);
         p.any_blocks = p.whole = true;

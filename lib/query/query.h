@@ -80,7 +80,7 @@ typedef struct blocker {
 typedef struct departure { uint32_t object; bool outward; } departure;
 
 /* Bit i: nothing at all is on ray i's open segment org .. org + tmax dir: objects of no_shadow and what is transparent count, too.
- * All end on `end`, from the side that rays in its direction would leave to; its object may be POV_NO_OWNER. */
+ * n is not 0. All end on `end`, from the side that rays in its direction would leave to; its object may be POV_NO_OWNER. */
 uint64_t query_visible(const world *w, query_context *k, const pov_ray *const *rays, uint32_t n, double tmax, departure end);
 
 /* Name what may cast a shadow in a shaft, until `add` says false. False: `add` said so, or something has neither box nor plane. */
