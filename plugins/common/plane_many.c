@@ -2,8 +2,68 @@
 #include "common/lanes.h"
 #include "common/quadric_approx.h"
 
+/* Planes across an axis, as most are: what is alike along it need not be looked at. */
+enum { AXIS_NONE = -1, AXIS_X, AXIS_Y, AXIS_Z };
+
+static bool is_power(double n) { return fabs(n) * pov_inverse_power(n) == 1.0; }
+
+static int axis_of(const common_quadric *s)
+{
+    const pov_two *n = s->q + G;
+    int axis = AXIS_NONE;
+
+    for (int k = AXIS_X; k <= AXIS_Z; k++) {
+        if (n[k].lo != 0.0 || (n[k].hi != 0.0 && (axis != AXIS_NONE || !is_power(n[k].hi))))
+            return AXIS_NONE;
+        axis = n[k].hi != 0.0 ? k : axis;
+    }
+    return axis;
+}
+
+/* Numbers of rays along one axis. */
+typedef struct axis_lanes { const double *org, *org_lo, *dir, *dir_lo; } axis_lanes;
+
+static axis_lanes lanes_along(const common_rays *r, int axis)
+{
+    const axis_lanes lanes[] = { { r->org.x, r->org_lo.x, r->dir.x, r->dir_lo.x }, { r->org.y, r->org_lo.y, r->dir.y, r->dir_lo.y },
+                                 { r->org.z, r->org_lo.z, r->dir.z, r->dir_lo.z } };
+
+    return lanes[axis];
+}
+
+/* A plane across an axis, and rays along it. */
+typedef struct level_plane { axis_lanes along; pov_two anchor, at_anchor; double n, scale; } level_plane;
+
+static level_plane level_of(const common_quadric *s, const common_rays *rays, int axis)
+{
+    const pov_two3 a = s->anchor;
+    const level_plane l = { lanes_along(rays, axis), axis == AXIS_X ? a.x : axis == AXIS_Y ? a.y : a.z, s->q[J], s->q[G + axis].hi, s->scale };
+
+    return l;
+}
+
+/* The crossing of lane i; unit makes it a distance. */
+COMMON_INLINE plane_crossing cross_lane(const level_plane *l, const common_rays *rays, uint32_t i, double *unit)
+{
+    const double power = pov_inverse_power(pov_largest(common_get(&rays->dir, i)));
+    const pov_two f = pov_two_scale(pov_two_offset(l->along.org[i], l->along.org_lo[i], l->anchor), l->scale);
+
+    *unit = power * common_inverse(l->scale);
+    return cross_level(l->n, l->at_anchor, f, pov_two_of(l->along.dir[i] * power, l->along.dir_lo[i] * power));
+}
+
 /* Crossings in the plane's units and what makes them distances. */
 typedef struct crossing_lanes { common_lane t, t_lo, error, slope, unit; int64_t sound[COMMON_LANES]; } crossing_lanes;
+
+COMMON_INLINE void put_crossing(crossing_lanes *restrict out, uint32_t i, const plane_crossing *c, double unit)
+{
+    out->t[i] = c->root.t.hi;
+    out->t_lo[i] = c->root.t.lo;
+    out->error[i] = c->root.error;
+    out->slope[i] = c->slope;
+    out->unit[i] = unit;
+    out->sound[i] = c->is_sound;
+}
 
 COMMON_CLONES static void find_crossings(const common_quadric *restrict s, const common_rays *restrict rays,
                                          crossing_lanes *restrict out)
@@ -18,12 +78,20 @@ COMMON_CLONES static void find_crossings(const common_quadric *restrict s, const
         const common_ray k = common_enter(&ray, anchor, scale);
         const plane_crossing c = cross_plane(n, at_anchor, &k);
 
-        out->t[i] = c.root.t.hi;
-        out->t_lo[i] = c.root.t.lo;
-        out->error[i] = c.root.error;
-        out->slope[i] = c.slope;
-        out->unit[i] = k.unit;
-        out->sound[i] = c.is_sound;
+        put_crossing(out, i, &c, k.unit);
+    }
+}
+
+COMMON_CLONES static void find_level_crossings(const common_quadric *restrict s, const common_rays *restrict rays, int axis,
+                                               crossing_lanes *restrict out)
+{
+    const level_plane l = level_of(s, rays, axis);
+
+    for (uint32_t i = 0; i < COMMON_LANES; i++) {
+        double unit;
+        const plane_crossing c = cross_lane(&l, rays, i, &unit);
+
+        put_crossing(out, i, &c, unit);
     }
 }
 
@@ -46,13 +114,17 @@ static void intersect_lanes(const common_quadric *s, const uint8_t *which, const
     const pov_ray *some[COMMON_LANES];
     crossing_lanes lanes;
     common_rays of;
+    const int axis = axis_of(s);
     uint32_t i;
 
     for (i = 0; i < COMMON_LANES; i++)
         some[i] = rays[which[common_lane_of(i, n)]];
     for (i = 0; i < COMMON_LANES; i += 4)
         common_put_four_rays(&of, i, some + i);
-    find_crossings(s, &of, &lanes);
+    if (axis == AXIS_NONE)
+        find_crossings(s, &of, &lanes);
+    else
+        find_level_crossings(s, &of, axis, &lanes);
     for (i = 0; i < n; i++) {
         pov_hits *h = hits[which[i]];
 
@@ -64,6 +136,17 @@ static void intersect_lanes(const common_quadric *s, const uint8_t *which, const
 /* Crossings that are definite hits, in distances. NaN where report() may leave one open, or it may be behind the start. */
 typedef struct sure_lanes { common_lane t, t_lo, feature; } sure_lanes;
 
+/* unit: of the crossing. */
+COMMON_INLINE void put_sure(sure_lanes *restrict out, uint32_t i, const plane_crossing *c, double unit)
+{
+    const double t = c->root.t.hi;
+    const int sure = c->is_sound & (int)(t > common_slack(&c->root)) & (int)(c->root.error <= COMMON_ULPS * COMMON_U * t);
+
+    out->t[i] = sure ? t * unit : NAN;
+    out->t_lo[i] = c->root.t.lo * unit;
+    out->feature[i] = c->slope < 0.0 ? ENTERING : EXITING;
+}
+
 COMMON_CLONES static void find_sure(const common_quadric *restrict s, const common_rays *restrict rays, sure_lanes *restrict out)
 {
     const pov_two3 anchor = s->anchor, n = { s->q[G], s->q[H], s->q[I] };
@@ -74,12 +157,20 @@ COMMON_CLONES static void find_sure(const common_quadric *restrict s, const comm
         const pov_ray ray = common_get_ray(rays, i);
         const common_ray k = common_enter(&ray, anchor, scale);
         const plane_crossing c = cross_plane(n, at_anchor, &k);
-        const double t = c.root.t.hi;
-        const int sure = c.is_sound & (int)(t > common_slack(&c.root)) & (int)(c.root.error <= COMMON_ULPS * COMMON_U * t);
 
-        out->t[i] = sure ? t * k.unit : NAN;
-        out->t_lo[i] = c.root.t.lo * k.unit;
-        out->feature[i] = c.slope < 0.0 ? ENTERING : EXITING;
+        put_sure(out, i, &c, k.unit);
+    }
+}
+
+COMMON_CLONES static void find_level_sure(const common_quadric *restrict s, const common_rays *restrict rays, int axis, sure_lanes *restrict out)
+{
+    const level_plane l = level_of(s, rays, axis);
+
+    for (uint32_t i = 0; i < COMMON_LANES; i++) {
+        double unit;
+        const plane_crossing c = cross_lane(&l, rays, i, &unit);
+
+        put_sure(out, i, &c, unit);
     }
 }
 
@@ -102,23 +193,36 @@ typedef struct sure_pairs {
     uint32_t n;
 } sure_pairs;
 
+/* A plane, and what is the same for all of its pairs. */
+typedef struct sure_plane { const common_quadric *of; int axis; pov_vec3 normal; } sure_plane;
+
+static void look_at(sure_plane *p, const common_quadric *of)
+{
+    if (p->of == of)
+        return;
+    p->of = of;
+    p->axis = axis_of(of);
+    common_quadric_normal(of, NULL, NULL, &p->normal);
+}
+
 /* By lane: those that are left open. */
-static uint32_t cross_sure_lanes(const common_quadric *s, const sure_pairs *p, bool with_contacts)
+static uint32_t cross_sure_lanes(const sure_plane *of, const sure_pairs *p, bool with_contacts)
 {
     common_contact_lanes contacts;
     sure_lanes end;
-    pov_vec3 normal;
     uint32_t open = 0;
 
-    find_sure(s, &p->rays, &end);
+    if (of->axis == AXIS_NONE)
+        find_sure(of->of, &p->rays, &end);
+    else
+        find_level_sure(of->of, &p->rays, of->axis, &end);
     for (uint32_t i = 0; i < p->n; i++)
         if (end.t[i] > 0.0)
             common_cross_sure(p->at[i], end.t[i], end.t_lo[i], (uint32_t)end.feature[i], 0);
         else
             open |= 1u << i;
     if (with_contacts) {
-        common_quadric_normal(s, NULL, NULL, &normal);
-        find_contacts(&p->rays, &end, normal, &contacts);
+        find_contacts(&p->rays, &end, of->normal, &contacts);
         common_get_contacts(&contacts, p->contacts, p->n);
     }
     return open;
@@ -168,6 +272,7 @@ uint64_t common_plane_cross_sure(const void *const *selves, const pov_ray *const
 {
     uint64_t left = ~(uint64_t)0 >> (POV_RAYS_MAX - n), open = 0;
     uint8_t which[COMMON_LANES];
+    sure_plane plane = { .of = NULL };
 
     while (left) {
         const pov_ray *some[COMMON_LANES];
@@ -184,7 +289,8 @@ uint64_t common_plane_cross_sure(const void *const *selves, const pov_ray *const
         }
         for (i = 0; i < COMMON_LANES; i += 4)
             common_put_four_rays(&p.rays, i, some + i);
-        for (not_sure = cross_sure_lanes(selves[which[0]], &p, contacts != NULL); not_sure; not_sure &= not_sure - 1)
+        look_at(&plane, selves[which[0]]);
+        for (not_sure = cross_sure_lanes(&plane, &p, contacts != NULL); not_sure; not_sure &= not_sure - 1)
             open |= (uint64_t)1 << which[common_first_lane(not_sure)];
     }
     return open;

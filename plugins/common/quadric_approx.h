@@ -166,12 +166,10 @@ typedef struct plane_crossing {
     int is_sound;            /* the root's error bound holds */
 } plane_crossing;
 
-COMMON_INLINE plane_crossing cross_plane(pov_two3 n, pov_two at_anchor, const common_ray *k)
+/* value, slope: the equation's at the ray's start, and its change along the ray; off by less than 2^-98 of the sizes. */
+COMMON_INLINE plane_crossing cross_at(pov_two value, pov_two slope, double value_size, double slope_size)
 {
-    const pov_vec3 n_size = pov_vec3_of(fabs(n.x.hi), fabs(n.y.hi), fabs(n.z.hi));
-    const pov_two value = pov_two_add(common_fast_dot(n, k->f), at_anchor), slope = common_fast_dot(n, common_direction(k));
-    const double value_error = 0x1p-98 * (common_sum_of_sizes(n_size, pov_two3_hi(k->f)) + fabs(at_anchor.hi));
-    const double slope_error = 0x1p-98 * common_sum_of_sizes(n_size, k->d), size = fabs(slope.hi);
+    const double value_error = 0x1p-98 * value_size, slope_error = 0x1p-98 * slope_size, size = fabs(slope.hi);
     plane_crossing c;
 
     c.root.t = pov_two_neg(pov_two_div(value, slope));
@@ -180,6 +178,22 @@ COMMON_INLINE plane_crossing cross_plane(pov_two3 n, pov_two at_anchor, const co
     c.slope = slope.hi;
     c.is_sound = (int)(size > 16.0 * slope_error) & (int)(size > COMMON_TINY) & (int)(fabs(value.hi) > COMMON_TINY);
     return c;
+}
+
+COMMON_INLINE plane_crossing cross_plane(pov_two3 n, pov_two at_anchor, const common_ray *k)
+{
+    const pov_vec3 n_size = pov_vec3_of(fabs(n.x.hi), fabs(n.y.hi), fabs(n.z.hi));
+    const pov_two value = pov_two_add(common_fast_dot(n, k->f), at_anchor), slope = common_fast_dot(n, common_direction(k));
+
+    return cross_at(value, slope, common_sum_of_sizes(n_size, pov_two3_hi(k->f)) + fabs(at_anchor.hi), common_sum_of_sizes(n_size, k->d));
+}
+
+/* The same, bit for bit, of a plane across an axis, n a power of two: f and d are the ray's along that axis. */
+COMMON_INLINE plane_crossing cross_level(double n, pov_two at_anchor, pov_two f, pov_two d)
+{
+    const pov_two value = pov_two_add(pov_two_sum(n * f.hi, n * f.lo), at_anchor), slope = pov_two_sum(n * d.hi, n * d.lo);
+
+    return cross_at(value, slope, fabs(n * f.hi) + fabs(at_anchor.hi), fabs(n * d.hi));
 }
 
 #endif

@@ -38,6 +38,8 @@ static const struct { const char *keyword, *text; } texts[] = {
     { "torus", "2e6, 1e4" },
     { "torus", "1e-90, 0.9e-90" },
     { "plane", "<0, 1, 0>, -0.5" },
+    { "plane", "<-1, 0, 0>, 7" },
+    { "plane", "<0, 0, 4>, 1e-3" },
     { "plane", "<3, -2, 7>, 1e3" },
     { "plane", "<1e-200, 0, 2e-200>, 0" },
     { "quadric", "<1, 1, -1>, <0, 0, 0>, <0, 0, 0>, -0.25" },
