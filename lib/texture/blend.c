@@ -1,5 +1,7 @@
 #include "texture/blend.h"
 
+#include "base/lane_mask.h"
+
 /* Values of lists are whole, unless a wave form shaped them. */
 static void find_members(blending *b, uint32_t count, const double *value, uint32_t n)
 {
@@ -166,18 +168,30 @@ static float share_of(const blending *b, uint32_t member, uint32_t lane)
     return b->values[member] / b->total;
 }
 
+/* Shares of lanes side by side, and whether they have any. */
+SIMD_CLONES SIMD_NOINLINE static void find_shares(const blending *restrict b, uint32_t member, uint32_t n, float *restrict share,
+                                                  uint32_t *restrict any)
+{
+    for (uint32_t i = 0; i < n; i++) {
+        const float lower = (float)(1.0 - b->between[i]), upper = (float)b->between[i];
+        const float own = b->low[i] == member ? lower : b->low[i] + 1 == member ? upper : 0.0f;
+
+        share[i] = own;
+        any[i] = own != 0.0f;
+    }
+}
+
 /* Of a map or a list. */
 static uint32_t find_lanes(const blending *b, uint32_t member, uint8_t *lane, float *share)
 {
-    uint32_t count = 0;
+    SIMD_ALIGNED float own[LANES_MAX];
+    SIMD_ALIGNED uint32_t any[LANES_MAX];
+    uint32_t count;
 
-    for (uint32_t i = 0; i < b->n; i++) {
-        const float upper = b->low[i] + 1 == member ? (float)b->between[i] : 0.0f;
-
-        share[count] = b->low[i] == member ? (float)(1.0 - b->between[i]) : upper;
-        lane[count] = (uint8_t)i;
-        count += share[count] != 0.0f;
-    }
+    find_shares(b, member, lanes_whole(b->n), own, any);
+    count = lane_mask_list(lane_mask_of(any, b->n), lane);
+    for (uint32_t k = 0; k < count; k++)
+        share[k] = own[lane[k]];
     return count;
 }
 
