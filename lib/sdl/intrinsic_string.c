@@ -13,7 +13,7 @@
 #include <string.h>
 #include <time.h>
 
-enum { NUMBER_BUFFER = 512, DATE_BUFFER = 512, DIGITS_MAX = 300, LAST_CHARACTER = 65535, FIRST_YEAR = 1400, LAST_YEAR = 9999 };
+enum { NUMBER_BUFFER = 1536, DATE_BUFFER = 512, DIGITS_MAX = 1000, LAST_CHARACTER = 65535, FIRST_YEAR = 1400, LAST_YEAR = 9999 };
 
 static void comma(pov_reader *in)
 {
@@ -159,13 +159,9 @@ static void read_str(pov_reader *in, const intrinsic *row, value *out)
     comma(in);
     digits = expression_integer(expression_number(in));
     state_close(in, ')');
-    if (!in->failed && (width < -DIGITS_MAX || width > DIGITS_MAX || digits > DIGITS_MAX)) {
-        report_fail(in, &in->value, POV_E_SYNTAX, "a number is not written in more than %d characters", DIGITS_MAX);
-        return;
-    }
     if (in->failed)
         return;
-    n = text_number(buffer, sizeof buffer, number, width, digits);
+    n = text_number_of_a_line(buffer, sizeof buffer, number, width, digits < DIGITS_MAX ? digits : DIGITS_MAX);
     give(in, out, text_copy(in, buffer, (size_t)n));
 }
 

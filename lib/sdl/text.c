@@ -233,7 +233,6 @@ static int short_number(char *out, size_t size, double number, int width, int di
 
 int text_number(char *out, size_t size, double number, int width, int digits)
 {
-    const bool is_short = fabs(number) < 1e131 || isinf(number) || isnan(number);
     int length;
 
     if (digits < 0)
@@ -242,8 +241,23 @@ int text_number(char *out, size_t size, double number, int width, int digits)
     if (length > 0)
         return length;
     if (width < 0)
-        return mend_point(out, snprintf(out, size, is_short ? "%0*.*f" : "%0*.*g", -width, digits, number));
-    return mend_point(out, snprintf(out, size, is_short ? "%*.*f" : "%*.*g", width, digits, number));
+        return mend_point(out, snprintf(out, size, "%0*.*f", -width, digits, number));
+    return mend_point(out, snprintf(out, size, "%*.*f", width, digits, number));
+}
+
+int text_number_of_a_line(char *out, size_t size, double number, int width, int digits)
+{
+    enum { LINE = 254 };
+    const int wanted = width < 0 ? -width : width;
+    int length = LINE + 1;
+
+    if (width >= -LINE && width <= LINE) {
+        if (digits <= LINE)
+            length = text_number(out, size, number, width, digits);
+        if (length > LINE)
+            length = mend_point(out, snprintf(out, size, width < 0 ? "%0*.*g" : "%*.*g", wanted, digits, number));
+    }
+    return length > LINE ? snprintf(out, size, "<invalid>") : length;
 }
 
 int text_general(char *out, size_t size, double number)

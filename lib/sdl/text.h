@@ -18,6 +18,8 @@ size_t text_characters(const string *s);
 unsigned text_character(const char *at, int *bytes);
 /* A number after the C locale, as printf has it. */
 int text_number(char *out, size_t size, double number, int width, int digits);
+/* Beyond 254 characters it is written with %g instead, and beyond that as <invalid>, as POV-Ray has it. */
+int text_number_of_a_line(char *out, size_t size, double number, int width, int digits);
 /* As printf has it with %g. */
 int text_general(char *out, size_t size, double number);
 
