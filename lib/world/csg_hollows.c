@@ -100,20 +100,18 @@ static bool is_solid(const hollow_search *s)
     return (s->holds >> SURFACE & 1) != member_of(s, SURFACE)->inverse && !(s->holds & ((1u << SURFACE) - 1));
 }
 
-/* The hollow's own crossing there. NULL: it is not certain that there is one. */
+/* The hollow's own crossing there, which is the only one: its other end is an event, too, and two that are so close are not looked at.
+ * NULL: it is not certain that there is one. */
 static const pov_crossing *find_end(hollow_search *s, const event *e, const pov_hits *hits)
 {
-    const pov_crossing *found = NULL;
-    uint32_t count, times = 0;
+    uint32_t count;
 
     if (!ask(s, e->of, hits, s->crossings, &count))
         return NULL;
     for (uint32_t i = 0; i < count; i++)
-        if (fabs(s->crossings[i].t - e->t) <= s->off) {
-            found = &s->crossings[i];
-            times++;
-        }
-    return times == 1 ? found : NULL;
+        if (fabs(s->crossings[i].t - e->t) <= s->off)
+            return &s->crossings[i];
+    return NULL;
 }
 
 static bool report(hollow_search *s, const event *e, pov_hits *hits)
