@@ -382,15 +382,18 @@ static bool hide_some(shade_context *c, reuse *r, uint32_t own, const clearing *
     const pov_ray *rays[WORLD_MANY];
     uint8_t of[WORLD_MANY];
     const bool is_sky = w->found == REUSE_SKY;
-    const uint64_t known = leave_first(w, clear, own);
+    uint64_t open = lane_mask_all(w->to) & ~(lane_mask_all(w->from) | leave_first(w, clear, own));
     uint64_t seen, hidden = 0;
     uint32_t n = 0;
 
-    for (uint32_t i = w->from; i < w->to; i++)
-        if (i != own && w->kernel[i] > 0.0 && !(known >> i & 1)) {
+    for (; open; open &= open - 1) {
+        const uint32_t i = first_of64(open);
+
+        if (i != own && w->kernel[i] > 0.0) {
             rays[n] = aim(r, w, i);
             of[n++] = (uint8_t)i;
         }
+    }
     if (n == 0)
         return true;
     seen = query_visible(c->scene->world, c->context, rays, n, is_sky ? HUGE_VAL : nearly, end_of(w));
