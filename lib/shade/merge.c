@@ -103,6 +103,7 @@ typedef struct alike {
     uint32_t count, levels;
     uint8_t lane[BATCH_MAX];
     const appearance *of[LEVELS_MOST];
+    const finish *refused;       /* terms of this one are never as one with others; NULL: of none */
 } alike;
 
 /* By lane: a level's pigments. */
@@ -213,13 +214,16 @@ static void find_alike(const shading *scene, const surfaces *s, const painted *p
     const uint32_t first = first_of64(lanes);
 
     out->count = 0;
+    out->refused = NULL;
     out->levels = p->first[first + 1] - p->first[first];
     if (out->levels > LEVELS_MOST)
         return;
     for (uint32_t k = 0; k < out->levels; k++) {
         out->of[k] = shading_finish(scene, term_at(p, first, k)->finish);
-        if (!merge_takes(out->of[k]))
+        if (!merge_takes(out->of[k])) {
+            out->refused = out->of[k]->finish;
             return;
+        }
     }
     for (; lanes; lanes &= lanes - 1)
         if (is_alike(out, p, s, first_of64(lanes)))
@@ -413,6 +417,21 @@ static uint64_t merge_alike(const shading *scene, const alike *a, const painted 
     return done;
 }
 
+/* Those of these lanes none of whose terms has the finish. */
+static uint64_t leave_finish(const painted *p, uint64_t lanes, const finish *of)
+{
+    uint64_t left = lanes;
+
+    for (; lanes; lanes &= lanes - 1) {
+        const uint32_t i = first_of64(lanes);
+
+        for (uint32_t k = p->first[i]; k < p->first[i + 1]; k++)
+            if (p->terms[p->order[k]].finish == of)
+                left &= ~((uint64_t)1 << i);
+    }
+    return left;
+}
+
 void merge_terms(const shading *scene, surfaces *s, painted *p)
 {
     uint64_t lanes = 0;
@@ -426,7 +445,9 @@ void merge_terms(const shading *scene, surfaces *s, painted *p)
         const uint32_t i = first_of64(lanes);
 
         find_alike(scene, s, p, lanes, &a);
-        if (a.count >= ALIKE_LEAST) {
+        if (a.refused) {
+            lanes = leave_finish(p, lanes, a.refused);
+        } else if (a.count >= ALIKE_LEAST) {
             const uint64_t done = merge_alike(scene, &a, p, s);
 
             p->merged |= done;

@@ -214,8 +214,8 @@ static bool may_be_flat(const painted *p, uint32_t of)
     return end - from <= STACK_LEVELS;
 }
 
-/* Make the terms of a surface a flat stack, where they are one. */
-static bool make_flat(const shading *scene, surfaces *s, const painted *p, uint32_t of)
+/* Make the terms of a surface a flat stack, where they are one. finished: of the layers of the last one, as a rule the same. */
+static bool make_flat(const shading *scene, surfaces *s, const painted *p, uint32_t of, const appearance *finished[STACK_LEVELS])
 {
     const uint32_t from = p->first[of], count = p->first[of + 1] - from;
     stack *out = &p->stacks[of];
@@ -225,9 +225,13 @@ static bool make_flat(const shading *scene, surfaces *s, const painted *p, uint3
         return false;
     out->count = count;
     for (uint32_t k = 0; k < count; k++) {
+        const texture_term *t = &p->terms[p->order[from + k]];
         stack_layer *one = &out->layers[k];
 
-        paint_appearance(scene, &s->at[of], &p->terms[p->order[from + k]], &one->appearance);
+        if (!finished[k] || finished[k]->finish != t->finish)
+            finished[k] = shading_finish(scene, t->finish);
+        appearance_paint(&one->appearance, scene->plan, scene->model, finished[k], &t->pigment);
+        appearance_set_material(&one->appearance, s->at[of].appearance->material);
         one->of.first = k == 0;
         one->of.last = k + 1 == count;
         one->of.share = 1.0f;
@@ -244,12 +248,13 @@ static bool make_flat(const shading *scene, surfaces *s, const painted *p, uint3
 /* Terms that are not one: flat stacks, or as one if they are matt. False: some are neither. */
 static bool join(const shading *scene, surfaces *s, painted *p, bool *stacks)
 {
+    const appearance *finished[STACK_LEVELS] = { NULL };
     bool joined = true;
 
     for (uint32_t i = 0; joined && i < s->count; i++) {
         if (paint_is_single(p, i) || paint_is_merged(p, i))
             continue;
-        joined = scene->flat_stacks && make_flat(scene, s, p, i);
+        joined = scene->flat_stacks && make_flat(scene, s, p, i, finished);
         p->merged |= (uint64_t)joined << i;
         *stacks |= joined;
     }
