@@ -171,11 +171,17 @@ static uint64_t take_shapes(packet *p, const leaf_batch *r, uint32_t n, uint64_t
     return ended | ask_one_shape(p, r, &open, lanes, p->any_blocks || (r->opaque >> m[-1].lane & 1));
 }
 
+/* Is it known without the ray that it has left the shape? As is_excluded(). */
+static inline bool has_left(const packet *p, const leaf_batch *r, const pov_candidate *m)
+{
+    return r->object[m->lane] == p->traversal.soa.excluded[m->ray] && (r->plain >> m->lane & 1) && (r->shape->flags & POV_SHAPE_CONVEX);
+}
+
 /* Are some candidates left for what needs their rays? */
 static bool any_open(const packet *p, const leaf_batch *r, const pov_candidate *m, uint32_t n, uint64_t ended)
 {
     for (; n > 0; m++, n--)
-        if (!(ended >> m->ray & 1) && casts_at(p, r, m->lane))
+        if (!(ended >> m->ray & 1) && casts_at(p, r, m->lane) && !has_left(p, r, m))
             return true;
     return false;
 }
@@ -193,8 +199,11 @@ static uint64_t filter(packet *p, const leaf_batch *r, uint64_t lanes)
 
     for (i = 0; i < n; i++)
         ended |= (uint64_t)is_blocked(p, r, &m[i], blocking) << m[i].ray;
-    if (p->by_lane && any_open(p, r, m, n, ended))
+    if (p->by_lane) {
+        if (!any_open(p, r, m, n, ended))
+            return ended;
         packet_make_rays(p);
+    }
     if (n > 1 && (r->flags & LEAF_INSTANCED) && !p->from)
         return ended | take_instanced(p, r, n, ended);
     if (n > 1 && takes_several(r->shape) && !p->from)
