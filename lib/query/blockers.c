@@ -156,18 +156,34 @@ static const csg_member *find_clip(const csg_tree *t, const csg_member *m, pov_o
     return NULL;
 }
 
-/* Is a tree all of a member that is in no other one, or of its surface, but for what lies outside of the clip? */
-static bool is_shown(const csg_tree *t, const csg_member *m, const csg_member *clip)
+/* Is a tree all of a member that is in no other one, or of its surface, but for what lies outside of the clip? hollows: how many others. */
+static bool is_shown(const csg_tree *t, const csg_member *m, const csg_member *clip, uint32_t *hollows, const csg_member **hollow)
 {
+    *hollows = 0;
     if (t->node_count != 1 || t->nodes[0].op != NODE_INTERSECTION || t->nodes[0].inverse || m->inverse)
         return false;
     for (uint32_t i = 0; i < t->member_count; i++) {
         const csg_member *other = &t->members[i];
 
-        if (other != m && other != clip && (!other->inverse || other->patch || other->open || csg_is_unseen(other)))
+        if (other == m || other == clip)
+            continue;
+        if (!other->inverse || other->patch || other->open || csg_is_unseen(other))
             return false;
+        ++*hollows;
+        *hollow = other;
     }
     return true;
+}
+
+/* A ring that hides, but within its only hollow, needs no other member's shadow. */
+static void find_shown(const csg_tree *t, const csg_member *m, const csg_member *clip, blocker *b)
+{
+    const csg_member *hollow = NULL;
+    uint32_t hollows;
+
+    b->hides = is_shown(t, m, clip, &hollows, &hollow);
+    b->hollowed = b->hides && hollows == 1 && hollow->boxed && find_outline(hollow->shape, hollow->instance, hollow->xform, &b->hollow) && !b->hollow.round;
+    b->unaided = b->hides && (b->hollowed || hollows == 0);
 }
 
 /* What a member of a tree shows of its surface lies in the tree's box too. body: the member of which what is in no other one stops light. */
@@ -191,7 +207,9 @@ static bool add_member(const asking *a, const csg_tree *t, const csg_member *m, 
     if (b.ringed || (b.outlined && m->leaf == a->left[0].object))
         clip = find_clip(t, m, &b.clip);
     b.clipped = clip != NULL;
-    b.hides = b.ringed ? opaque && is_shown(t, m, clip) : b.outlined && m == body;
+    b.hides = b.outlined && m == body;
+    if (b.ringed && opaque)
+        find_shown(t, m, clip, &b);
     return a->add(a->user, &b);
 }
 

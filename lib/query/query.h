@@ -25,7 +25,7 @@ bool query_context_failed(const query_context *k);
 const object_space_rays *query_context_own(const query_context *k);
 
 /* The nearest crossings of up to WORLD_MANY rays in the open interval (0, tmax). Rays of similar origin and direction
- * cost a fraction of single ones, and each gets the same result as alone. Fills crossing, object and coincident only;
+ * cost a fraction of single ones, and each gets the same result as unaided. Fills crossing, object and coincident only;
  * bit i of the result: ray i has a hit; without one its hit is undefined. Of several coincident crossings the result is
  * the one that the ray crosses first: coincidence_crossed(). */
 uint64_t query_nearest(const world *w, query_context *k, const pov_ray *const *rays, uint32_t n, double tmax, hit *out);
@@ -71,9 +71,12 @@ typedef struct blocker {
     bool ringed;                 /* its surface lies on that of a solid of the shape class's `ring`, of these radii, in a space of its own */
     double radii[2];
     pov_own_map own;
+    bool hollowed;               /* a ring hides but within `hollow`, in the world */
     bool clipped;                /* it shows within this only: `clip`, in the world */
-    uint32_t tree;               /* not 0: it is a member of this tree. What hides is then all that is in no other member of it. */
-    pov_outline solid, clip;
+    uint32_t tree;               /* not 0: it is a member of this tree. What hides is then all that is in no other member of it, and
+                                  * nothing of the tree is outside of it. */
+    bool unaided;                  /* what hides does so whatever other members there are */
+    pov_outline solid, clip, hollow;
 } blocker;
 
 /* The object whose surface all rays of a shaft start on; outward: they leave to the side of its own normals. */

@@ -91,7 +91,7 @@ typedef double lane[TOGETHER];
 /* Some parts, and where segments to them are within all slabs: the first and last of it. */
 typedef struct SIMD_ALIGNED some_parts { lane lo[2], hi[2], first, last, flag; } some_parts;
 
-static uint32_t whole(uint32_t n) { return (n + 15) / 16 * 16; }
+static uint32_t whole(uint32_t n) { return (n + AREA_TOGETHER - 1) / AREA_TOGETHER * AREA_TOGETHER; }
 
 SIMD_INLINE void take(const area_parts *restrict p, uint32_t from, some_parts *restrict out)
 {

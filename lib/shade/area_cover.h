@@ -30,8 +30,8 @@ bool area_cover_misses(const area_cover *c, const grid_part *part);
  * the same point? */
 bool area_cover_holds(const area_cover *c, const area_cover *other, const grid_part *part);
 
-/* Parts side by side, in whole vectors; points: each is one place. */
-enum { AREA_PARTS = 64 };
+/* Parts side by side, in groups of so many; points: each is one place. */
+enum { AREA_PARTS = 64, AREA_TOGETHER = 16 };
 typedef struct area_parts { SIMD_ALIGNED double lo[2][AREA_PARTS], hi[2][AREA_PARTS]; uint32_t count; bool points; } area_parts;
 /* Those of the grid from the k-th one on. */
 void area_parts_find(const light_grid *g, uint32_t k, area_parts *out);

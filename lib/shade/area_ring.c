@@ -13,7 +13,7 @@ static const double touching = 0x1p-40;
 /* Where it is nearer than the first of these parts of `minor`, the next step is the second one. */
 static const double near_by = 0x1p-5, step_in = 0.25;
 
-enum { STEPS = 12, TOGETHER = 16 };
+enum { STEPS = 8, TOGETHER = AREA_TOGETHER };
 typedef double lane[TOGETHER];
 
 static pov_vec3 turn(const pov_own_map *own, pov_vec3 v)
@@ -35,7 +35,8 @@ static bool is_within(const area_ring *r, uint32_t slab)
     return middle - reach >= lo - off && middle + reach <= hi + off;
 }
 
-bool area_ring_make(area_ring *r, const double radii[2], const pov_own_map *own, pov_vec3 from, pov_vec3 to, const pov_vec3 axes[2], const area_cover *clip)
+bool area_ring_make(area_ring *r, const double radii[2], const pov_own_map *own, pov_vec3 from, pov_vec3 to, const pov_vec3 axes[2], const area_cover *clip,
+                    const area_cover *hollow)
 {
     const double turned = vec3_sum(own->column[0]) + vec3_sum(own->column[1]) + vec3_sum(own->column[2]);
     const double size = turned * (vec3_sum(from) + vec3_sum(own->anchor) + vec3_sum(to) + vec3_sum(axes[0]) + vec3_sum(axes[1])) + vec3_sum(own->from) + radii[0];
@@ -49,7 +50,10 @@ bool area_ring_make(area_ring *r, const double radii[2], const pov_own_map *own,
         r->square[i] = pov_dot(r->to[1 + i], r->to[1 + i]);
     }
     r->square[2] = 2.0 * fabs(pov_dot(r->to[1], r->to[2]));
-    r->hides = !clip || !clip->round;
+    r->hides = (!clip || !clip->round) && (!hollow || !hollow->round);
+    r->hollowed = hollow != NULL;
+    if (hollow)
+        r->hollow = *hollow;
     r->cuts = 0;
     if (clip) {
         r->clip = *clip;
@@ -60,26 +64,26 @@ bool area_ring_make(area_ring *r, const double radii[2], const pov_own_map *own,
 }
 
 /* Some parts by their middles and half widths; where the segment to the middle may be near the surface that is there, and where all segments
- * are within the clip; and how far it has been followed. */
+ * are within the clip, and any may be within the hollow; and how far it has been followed. */
 typedef struct SIMD_ALIGNED some_parts {
     lane middle[2], half[2], dir[3], spread, per;
-    lane first, last, from, to, t, sign, passed, hidden;
+    lane first, last, from, to, hollow_from, hollow_to, t, sign, since, passed, hidden;
     SIMD_ALIGNED int64_t open[TOGETHER];
 } some_parts;
 
-SIMD_INLINE void take(const area_ring *r, const area_parts *restrict p, uint32_t from, some_parts *restrict s)
+SIMD_INLINE void take(const area_ring *r, const area_parts *restrict p, uint32_t from, uint32_t n, some_parts *restrict s)
 {
     const pov_vec3 *to = r->to;
-    const double by_u = r->square[0], by_v = r->square[1], by_both = r->square[2];
+    const double by_u = r->square[0], by_v = r->square[1], by_both = r->square[2], hollow_to = r->hollowed ? HUGE_VAL : -1.0;
 
     for (int axis = 0; axis < 2; axis++)
-        SIMD_LOOP for (uint32_t i = 0; i < TOGETHER; i++) {
+        SIMD_LOOP for (uint32_t i = 0; i < n; i++) {
             const double lo = p->lo[axis][from + i], hi = p->hi[axis][from + i];
 
             s->middle[axis][i] = 0.5 * (lo + hi);
             s->half[axis][i] = 0.5 * (hi - lo);
         }
-    SIMD_LOOP for (uint32_t i = 0; i < TOGETHER; i++) {
+    SIMD_LOOP for (uint32_t i = 0; i < n; i++) {
         const double u = s->middle[0][i], v = s->middle[1][i], broad = s->half[0][i], high = s->half[1][i];
         const double x = to[0].x + u * to[1].x + v * to[2].x, y = to[0].y + u * to[1].y + v * to[2].y, z = to[0].z + u * to[1].z + v * to[2].z;
 
@@ -88,7 +92,8 @@ SIMD_INLINE void take(const area_ring *r, const area_parts *restrict p, uint32_t
         s->dir[2][i] = z;
         s->spread[i] = (1.0 + skin) * sqrt(by_u * broad * broad + by_v * high * high + by_both * broad * high);
         s->per[i] = shorter / (sqrt(x * x + y * y + z * z) + s->spread[i]);
-        s->first[i] = s->from[i] = s->sign[i] = s->hidden[i] = 0.0;
+        s->first[i] = s->from[i] = s->hollow_from[i] = s->sign[i] = s->since[i] = s->hidden[i] = 0.0;
+        s->hollow_to[i] = hollow_to;
         s->last[i] = beyond;
         s->to[i] = end;
         s->passed[i] = 1.0;
@@ -96,12 +101,12 @@ SIMD_INLINE void take(const area_ring *r, const area_parts *restrict p, uint32_t
 }
 
 /* Where lo <= t (rate . (1, u, v)) <= hi of all segments to a part, or with side = -1, where it may be so of any. */
-SIMD_INLINE void cut(double one, double by_u, double by_v, double lo, double hi, double side, const some_parts *restrict s, double *restrict first,
-                     double *restrict last)
+SIMD_INLINE void cut(double one, double by_u, double by_v, double lo, double hi, double side, uint32_t n, const some_parts *restrict s,
+                     double *restrict first, double *restrict last)
 {
     const double off = roundings * (fabs(one) + fabs(by_u) + fabs(by_v)), broad = fabs(by_u), high = fabs(by_v), never = 0x1p-1000;
 
-    SIMD_LOOP for (uint32_t i = 0; i < TOGETHER; i++) {
+    SIMD_LOOP for (uint32_t i = 0; i < n; i++) {
         const double at = one + by_u * s->middle[0][i] + by_v * s->middle[1][i], wide = side * (broad * s->half[0][i] + high * s->half[1][i] + off);
         const double most = at + wide, least = at - wide;
         const double a = hi / (most == 0.0 ? never : most), b = lo / (least == 0.0 ? -never : least);
@@ -113,22 +118,27 @@ SIMD_INLINE void cut(double one, double by_u, double by_v, double lo, double hi,
     }
 }
 
-SIMD_INLINE void find_ends(const area_ring *r, some_parts *restrict s)
+SIMD_INLINE void find_ends(const area_ring *r, uint32_t n, some_parts *restrict s)
 {
     const double high = (1.0 + skin) * r->minor, ahead = step_in * r->minor, reach = r->major + high;
     const pov_vec3 *to = r->to, at = r->from;
 
-    cut(to[0].x, to[1].x, to[2].x, -reach - at.x, reach - at.x, -1.0, s, s->first, s->last);
-    cut(to[0].y, to[1].y, to[2].y, -high - at.y, high - at.y, -1.0, s, s->first, s->last);
-    cut(to[0].z, to[1].z, to[2].z, -reach - at.z, reach - at.z, -1.0, s, s->first, s->last);
+    cut(to[0].x, to[1].x, to[2].x, -reach - at.x, reach - at.x, -1.0, n, s, s->first, s->last);
+    cut(to[0].y, to[1].y, to[2].y, -high - at.y, high - at.y, -1.0, n, s, s->first, s->last);
+    cut(to[0].z, to[1].z, to[2].z, -reach - at.z, reach - at.z, -1.0, n, s, s->first, s->last);
     for (uint32_t left = r->cuts; left; left &= left - 1) {
         const uint32_t i = first_of(left);
         const double *rate = r->clip.rate[i];
 
-        cut(rate[0], rate[1], rate[2], r->clip.wide_lo[i], r->clip.wide_hi[i], -1.0, s, s->first, s->last);
-        cut(rate[0], rate[1], rate[2], r->clip.lo[i], r->clip.hi[i], 1.0, s, s->from, s->to);
+        cut(rate[0], rate[1], rate[2], r->clip.wide_lo[i], r->clip.wide_hi[i], -1.0, n, s, s->first, s->last);
+        cut(rate[0], rate[1], rate[2], r->clip.lo[i], r->clip.hi[i], 1.0, n, s, s->from, s->to);
     }
-    SIMD_LOOP for (uint32_t i = 0; i < TOGETHER; i++) {
+    for (uint32_t i = 0; r->hollowed && i < r->hollow.slabs; i++) {
+        const double *rate = r->hollow.rate[i];
+
+        cut(rate[0], rate[1], rate[2], r->hollow.wide_lo[i], r->hollow.wide_hi[i], -1.0, n, s, s->hollow_from, s->hollow_to);
+    }
+    SIMD_LOOP for (uint32_t i = 0; i < n; i++) {
         const double begin = s->first[i] - (ahead + s->spread[i]) * s->per[i];
 
         s->t[i] = begin > 0.0 ? begin : 0.0;
@@ -136,12 +146,12 @@ SIMD_INLINE void find_ends(const area_ring *r, some_parts *restrict s)
     }
 }
 
-SIMD_INLINE void go_on(const area_ring *r, some_parts *restrict s)
+SIMD_INLINE void go_on(const area_ring *r, uint32_t n, some_parts *restrict s)
 {
     const double major = r->major, minor = r->minor, least = near_by * minor, more = step_in * minor, off = skin * minor, hides = r->hides ? 1.0 : 0.0;
     const pov_vec3 at = r->from;
 
-    SIMD_LOOP for (uint32_t i = 0; i < TOGETHER; i++) {
+    SIMD_LOOP for (uint32_t i = 0; i < n; i++) {
         const double t = s->t[i], from = s->from[i], to = s->to[i], last = s->last[i], before = s->sign[i], was_passed = s->passed[i], was_hidden = s->hidden[i];
         const int64_t open = s->open[i];
         const double x = at.x + t * s->dir[0][i], y = at.y + t * s->dir[1][i], z = at.z + t * s->dir[2][i];
@@ -149,9 +159,11 @@ SIMD_INLINE void go_on(const area_ring *r, some_parts *restrict s)
         const double outside = depth > doubt ? 1.0 : 0.0, sign = depth < -doubt ? -1.0 : outside, late = t > to ? 0.0 : sign, known = t < from ? 0.0 : late;
         const double clear = fabs(depth) - doubt, step = clear > least ? clear : more, next = t + step * s->per[i], stop = next > from ? from : next;
         const double safe = depth - doubt > least ? was_passed : 0.0, passed = open ? safe : was_passed;
-        const double hidden = known * before < 0.0 ? hides : was_hidden;
+        const double since = s->since[i], whole = since > s->hollow_to[i] ? hides : t < s->hollow_from[i] ? hides : was_hidden;
+        const double hidden = known * before < 0.0 ? whole : was_hidden;
 
         s->sign[i] = known * known > 0.0 ? known : before;
+        s->since[i] = known * known > 0.0 ? t : since;
         s->passed[i] = passed;
         s->hidden[i] = hidden;
         s->t[i] = t < from ? stop : next;
@@ -159,19 +171,27 @@ SIMD_INLINE void go_on(const area_ring *r, some_parts *restrict s)
     }
 }
 
-SIMD_INLINE void follow(const area_ring *r, some_parts *restrict s)
+SIMD_INLINE void follow(const area_ring *r, uint32_t n, some_parts *restrict s)
 {
-    for (uint32_t n = 0; n < STEPS; n++) {
+    for (uint32_t turn = 0; turn < STEPS; turn++) {
         int64_t open = 0;
 
-        SIMD_LOOP for (uint32_t i = 0; i < TOGETHER; i++)
+        SIMD_LOOP for (uint32_t i = 0; i < n; i++)
             open |= s->open[i];
         if (!open)
             return;
-        go_on(r, s);
+        go_on(r, n, s);
     }
-    SIMD_LOOP for (uint32_t i = 0; i < TOGETHER; i++)
+    SIMD_LOOP for (uint32_t i = 0; i < n; i++)
         s->passed[i] = s->open[i] ? 0.0 : s->passed[i];
+}
+
+/* n of them from one on: a number that the compiler knows. */
+SIMD_INLINE void follow_some(const area_ring *r, const area_parts *restrict p, uint32_t from, uint32_t n, some_parts *restrict s)
+{
+    take(r, p, from, n, s);
+    find_ends(r, n, s);
+    follow(r, n, s);
 }
 
 SIMD_CLONES uint64_t area_ring_misses_of(const area_ring *r, const area_parts *p, uint64_t which, uint64_t *hidden)
@@ -183,9 +203,7 @@ SIMD_CLONES uint64_t area_ring_misses_of(const area_ring *r, const area_parts *p
 
         if (!(which >> from & ((1u << TOGETHER) - 1)))
             continue;
-        take(r, p, from, &s);
-        find_ends(r, &s);
-        follow(r, &s);
+        follow_some(r, p, from, TOGETHER, &s);
         SIMD_LOOP for (uint32_t i = 0; i < TOGETHER; i++) {
             missed[from + i] = s.passed[i] > 0.0 ? 1 : 0;
             crossed[from + i] = s.hidden[i] > 0.0 ? 1 : 0;
@@ -198,9 +216,9 @@ SIMD_CLONES uint64_t area_ring_misses_of(const area_ring *r, const area_parts *p
 bool area_ring_misses(const area_ring *r, const grid_part *part, bool *hidden)
 {
     const area_parts one = area_parts_of(part);
-    uint64_t crossed;
-    const bool missed = area_ring_misses_of(r, &one, 1, &crossed) != 0;
+    some_parts s;
 
-    *hidden = crossed != 0;
-    return missed;
+    follow_some(r, &one, 0, 1, &s);
+    *hidden = s.hidden[0] > 0.0;
+    return s.passed[0] > 0.0;
 }

@@ -237,11 +237,12 @@ static bool is_beyond(const finding *f, const pov_box *b)
 
 static bool find_ring(const finding *f, const blocker *b, area_ring *out)
 {
-    area_cover clip;
+    const plane *p = &f->plane;
+    area_cover clip, hollow;
 
-    if (b->clipped && !area_cover_make(&clip, &b->clip, f->plane.from, f->plane.to, f->plane.axes))
-        return false;
-    return area_ring_make(out, b->radii, &b->own, f->plane.from, f->plane.to, f->plane.axes, b->clipped ? &clip : NULL);
+    return (!b->clipped || area_cover_make(&clip, &b->clip, p->from, p->to, p->axes)) &&
+           (!b->hollowed || area_cover_make(&hollow, &b->hollow, p->from, p->to, p->axes)) &&
+           area_ring_make(out, b->radii, &b->own, p->from, p->to, p->axes, b->clipped ? &clip : NULL, b->hollowed ? &hollow : NULL);
 }
 
 static void find_cover(const finding *f, const blocker *b, area_shadow *out)
@@ -252,6 +253,7 @@ static void find_cover(const finding *f, const blocker *b, area_shadow *out)
     out->dims = out->outlined && b->dims && is_beyond(f, &b->box);
     out->leaves = out->dims && are_of_one_side(f, b->object);
     out->tree = b->tree;
+    out->unaided = !b->tree || b->unaided;
 }
 
 /* Do all rays start on a member's surface, and leave what it shows within before they meet it again? */
@@ -283,7 +285,7 @@ static bool add_blocker(void *user, const blocker *b)
     find_cover(f, b, &s);
     if (misses(&s, &f->all, &hidden) || leaves_clip(f, b, &s))
         return true;
-    out->dark = s.hides && !s.tree && (hidden || (s.outlined && area_cover_hides(&s.cover, &f->all)));
+    out->dark = s.hides && s.unaided && (hidden || (s.outlined && area_cover_hides(&s.cover, &f->all)));
     if (out->dark || out->count == AREA_VIEW_MAX)
         return false;
     out->shadows[out->count++] = s;
@@ -316,7 +318,7 @@ static void hide_all(area_view *out)
     area_shadow *s = &out->shadows[out->count < AREA_VIEW_MAX ? out->count++ : AREA_VIEW_MAX - 1];
 
     for (uint32_t i = 0; i < out->count; i++)
-        out->shadows[i].hides = out->shadows[i].hides && !out->shadows[i].tree;
+        out->shadows[i].hides = out->shadows[i].hides && out->shadows[i].unaided;
     s->part = (grid_part){ { -HUGE_VAL, -HUGE_VAL }, { HUGE_VAL, HUGE_VAL } };
     s->outlined = s->ringed = s->hides = s->dims = s->leaves = false;
     s->tree = 0;
@@ -350,7 +352,7 @@ static uint64_t hidden_of(const area_view *v, uint32_t i, const area_parts *part
     const uint32_t tree = v->shadows[i].tree;
     uint64_t hollow = 0;
 
-    for (uint32_t k = 0; tree && k < v->count; k++)
+    for (uint32_t k = 0; !v->shadows[i].unaided && k < v->count; k++)
         hollow |= k != i && v->shadows[k].tree == tree ? may[k] : 0;
     which &= may[i] & ~hollow;
     if (v->shadows[i].ringed)
@@ -366,13 +368,24 @@ static uint64_t alike_of(const area_view *v, uint32_t i, const area_parts *parts
     return which && !v->shadows[i].leaves ? area_cover_hides_of(&v->shadows[i].cover, parts, which) : which;
 }
 
+/* Of a tree nothing may hide where the member that all of it lies in does not. */
+static void keep_within(const area_view *v, uint64_t *may)
+{
+    for (uint32_t i = 0; i < v->count; i++)
+        for (uint32_t k = 0; v->shadows[i].tree && v->shadows[i].hides && k < v->count; k++)
+            may[k] &= v->shadows[k].tree == v->shadows[i].tree ? may[i] : ~(uint64_t)0;
+}
+
 area_states area_view_open(const area_view *v, const area_parts *parts)
 {
     area_states out = { 0, 0, 0 };
     uint64_t may[AREA_VIEW_MAX], hidden[AREA_VIEW_MAX];
 
     for (uint32_t i = 0; i < v->count; i++)
-        out.open |= may[i] = open_of(&v->shadows[i], parts, &hidden[i]);
+        may[i] = open_of(&v->shadows[i], parts, &hidden[i]);
+    keep_within(v, may);
+    for (uint32_t i = 0; i < v->count; i++)
+        out.open |= may[i];
     out.lit = area_parts_all(parts) & ~out.open;
     for (uint32_t i = 0; out.open && i < v->count; i++)
         if (v->shadows[i].hides)

@@ -13,6 +13,7 @@ typedef struct area_shadow {
     bool outlined, ringed, hides;
     bool dims, leaves;           /* what crosses it is dimmed alike; and all rays start on it and cross it as often */
     uint32_t tree;
+    bool unaided;                  /* what hides does so whatever else is of the tree */
     area_cover cover;            /* if it is outlined; or if it is ringed: */
     area_ring ring;
 } area_shadow;

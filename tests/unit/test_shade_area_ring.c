@@ -14,8 +14,8 @@ static double uniform(double lo, double hi)
 
 static pov_vec3 anywhere(double size) { return pov_vec3_of(uniform(-size, size), uniform(-size, size), uniform(-size, size)); }
 
-/* A ring in a space of its own, an area from a point, and one slab of it that clips, or none. */
-typedef struct scene { double radii[2]; pov_own_map own; pov_vec3 from, to, axes[2]; pov_outline clip; bool clipped; } scene;
+/* A ring in a space of its own, an area from a point, and a slab that clips, or one that is hollow, or none. */
+typedef struct scene { double radii[2]; pov_own_map own; pov_vec3 from, to, axes[2]; pov_outline slab; bool clipped, hollowed; } scene;
 
 static pov_vec3 turn(const scene *s, pov_vec3 v)
 {
@@ -29,7 +29,7 @@ static scene draw_scene(int n)
     const double size = pow(10.0, uniform(-3.0, 3.0)), far = pow(10.0, uniform(n % 7 ? 0.3 : -0.5, 1.5)) * size;
     const pov_vec3 way = pov_scale(pov_unit(anywhere(1.0)), far), centre = anywhere(n % 3 ? 0.0 : 10.0 * size), x = pov_unit(anywhere(1.0));
     const pov_vec3 y = pov_unit(pov_cross_product(x, anywhere(1.0))), z = pov_cross_product(x, y);
-    scene s = { .radii = { uniform(0.5, 2.0), uniform(0.1, 0.5) }, .clipped = n % 2 };
+    scene s = { .radii = { uniform(0.5, 2.0), uniform(0.1, 0.5) }, .clipped = n % 2, .hollowed = n % 4 == 2 };
 
     s.own.anchor = centre;
     s.own.column[0] = pov_scale(pov_vec3_of(x.x, uniform(0.5, 1.5) * y.x, z.x), 1.0 / size);
@@ -39,7 +39,7 @@ static scene draw_scene(int n)
     s.to = pov_scale(way, uniform(0.5, 4.0));
     s.axes[0] = anywhere(4.0 * size);
     s.axes[1] = anywhere(4.0 * size);
-    s.clip = (pov_outline){ .centre = centre, .normal = { pov_scale(n % 4 == 1 ? x : anywhere(1.0), 1.0 / size) }, .lo = { uniform(-3.0, 0.5) },
+    s.slab = (pov_outline){ .centre = centre, .normal = { pov_scale(n % 4 == 1 ? x : anywhere(1.0), 1.0 / size) }, .lo = { uniform(-3.0, 0.5) },
                             .hi = { uniform(0.6, 3.0) }, .slabs = 1 };
     return s;
 }
@@ -48,9 +48,10 @@ static scene draw_scene(int n)
 static double height_at(const scene *s, pov_vec3 d, double t, bool *shown)
 {
     const pov_vec3 w = pov_sub(pov_add(s->from, pov_scale(d, t)), s->own.anchor), p = pov_add(turn(s, w), s->own.from);
-    const double across = sqrt(p.x * p.x + p.z * p.z) - s->radii[0], along = pov_dot(s->clip.normal[0], w);
+    const double across = sqrt(p.x * p.x + p.z * p.z) - s->radii[0], along = pov_dot(s->slab.normal[0], w);
+    const bool within = along >= s->slab.lo[0] && along <= s->slab.hi[0];
 
-    *shown = !s->clipped || (along >= s->clip.lo[0] && along <= s->clip.hi[0]);
+    *shown = s->clipped ? within : !s->hollowed || !within;
     return sqrt(across * across + p.y * p.y) - s->radii[1];
 }
 
@@ -87,10 +88,10 @@ static bool has_place(const scene *s, const grid_part *p, bool crossed)
 
 static bool make(const scene *s, area_ring *r)
 {
-    area_cover clip;
+    area_cover slab;
 
-    return (!s->clipped || area_cover_make(&clip, &s->clip, s->from, s->to, s->axes)) &&
-           area_ring_make(r, s->radii, &s->own, s->from, s->to, s->axes, s->clipped ? &clip : NULL);
+    return area_cover_make(&slab, &s->slab, s->from, s->to, s->axes) &&
+           area_ring_make(r, s->radii, &s->own, s->from, s->to, s->axes, s->clipped ? &slab : NULL, s->hollowed ? &slab : NULL);
 }
 
 static void what_is_said_of_a_ring_is_so(void **state)
@@ -139,7 +140,7 @@ static void a_clip_that_holds_the_ring_cuts_nothing(void **state)
 
     (void)state;
     assert_true(area_cover_make(&clip, &box, from, to, axes));
-    assert_true(area_ring_make(&r, radii, &same, from, to, axes, &clip));
+    assert_true(area_ring_make(&r, radii, &same, from, to, axes, &clip, NULL));
     assert_int_equal(r.cuts, 0);
     assert_false(area_ring_misses(&r, &part, &hidden));
     assert_true(hidden);
