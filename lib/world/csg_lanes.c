@@ -64,7 +64,9 @@ static uint32_t within_of(const csg_tree *t)
     const csg_outline *of = t->outline;
     const uint32_t box = of->boxed ? 1u << of->count : 0;
 
-    return t->clipped.outlined ? box | (((1u << t->clipped.count) - 1) & ~t->clipped.hollows) : box ? box | of->within : t->chords.within;
+    if (t->clipped.outlined)
+        return box | (((1u << t->clipped.count) - 1) & ~t->clipped.hollows);
+    return t->chords.all ? t->chords.within : box | of->within;
 }
 
 /* Rays that are never within all members that are no complements, ahead and before their end, certainly pass the tree. Others do not
@@ -88,10 +90,10 @@ SIMD_CLONES SIMD_NOINLINE static void find_passing(const csg_tree *t, const pov_
     for (uint32_t left = within_of(t); left; left &= left - 1) {
         const uint32_t c = first_of(left);
 
-        csg_lanes_cross(t->outline, c, k);
+        csg_lanes_cross(t->outline, c, c % CSG_FEW, k);
         SIMD_LOOP for (uint32_t i = 0; i < CSG_TOGETHER; i++) {
-            enter[i] = csg_greater(k->in[c][i], enter[i]);
-            leave[i] = csg_lesser(k->out[c][i], leave[i]);
+            enter[i] = csg_greater(k->in[c % CSG_FEW][i], enter[i]);
+            leave[i] = csg_lesser(k->out[c % CSG_FEW][i], leave[i]);
         }
     }
     SIMD_LOOP for (uint32_t i = 0; i < CSG_TOGETHER; i++) {
@@ -209,8 +211,8 @@ static uint32_t filter(const csg_tree *t, const pov_rays *rays, uint64_t lanes, 
     return found;
 }
 
-/* What is clipped is left to csg_intersect() where its clips do not tell. */
-static uint32_t filter_clipped(const csg_tree *t, const pov_rays *rays, uint64_t lanes, uint32_t which, pov_candidate *out)
+/* What is clipped, and what has many members, is left to csg_intersect() where the columns that hold it do not tell. */
+static uint32_t filter_passing(const csg_tree *t, const pov_rays *rays, uint64_t lanes, uint32_t which, pov_candidate *out)
 {
     SIMD_ALIGNED csg_lane passed, lo;
     uint32_t found = 0;
@@ -228,7 +230,7 @@ static uint32_t filter_clipped(const csg_tree *t, const pov_rays *rays, uint64_t
             found += !(passed[i] > 0.0);
         }
     }
-    return csg_clipped_narrow(t, rays, out, found);
+    return t->clipped.outlined ? csg_clipped_narrow(t, rays, out, found) : found;
 }
 
 static uint32_t decline(uint64_t lanes, uint32_t which, pov_candidate *out)
@@ -252,8 +254,8 @@ uint32_t csg_filter(const void *block, const uint32_t *owners, const pov_rays *r
 
         if ((lanes & (lanes - 1)) == 0 || !t->outline || !within_of(t))
             n += decline(lanes, which, out + n);
-        else if (t->clipped.outlined)
-            n += filter_clipped(t, rays, lanes, which, out + n);
+        else if (t->clipped.outlined || !(t->chords.all || t->outline->boxed))
+            n += filter_passing(t, rays, lanes, which, out + n);
         else
             n += filter(t, rays, lanes, which, out + n);
     }

@@ -88,18 +88,18 @@ SIMD_INLINE void csg_lanes_cross_turned(const double *restrict number, const csg
                          column, i, k);
 }
 
-SIMD_INLINE void csg_lanes_cross_round(const csg_outline *of, uint32_t column, csg_near_rays *restrict k)
+SIMD_INLINE void csg_lanes_cross_round(const csg_outline *of, uint32_t column, uint32_t to, csg_near_rays *restrict k)
 {
     const uint32_t quadric = of->quadric[column];
     const double *restrict number = of->numbers + CSG_SLAB_NUMBERS * of->slabs + csg_number(CSG_QUADRIC_NUMBERS, quadric);
-    const csg_turned turned = of->turned[quadric];
+    const csg_turned turned = of->turned ? of->turned[quadric] : (csg_turned){ .kind = CSG_NOT_TURNED };
 
     if (turned.kind == CSG_SPHERE)
-        csg_lanes_cross_turned(number, &turned, false, column, k);
+        csg_lanes_cross_turned(number, &turned, false, to, k);
     else if (turned.kind == CSG_TURNED)
-        csg_lanes_cross_turned(number, &turned, true, column, k);
+        csg_lanes_cross_turned(number, &turned, true, to, k);
     else
-        csg_lanes_cross_quadric(number, column, k);
+        csg_lanes_cross_quadric(number, to, k);
 }
 
 /* What is certainly missed has no ends: those of its slabs may lie where something else is crossed. */
@@ -113,17 +113,18 @@ SIMD_INLINE void csg_lanes_leave_missed(uint32_t column, csg_near_rays *restrict
     }
 }
 
-SIMD_INLINE void csg_lanes_cross(const csg_outline *of, uint32_t column, csg_near_rays *restrict k)
+/* Of a column, noted as the one of number `to`. */
+SIMD_INLINE void csg_lanes_cross(const csg_outline *of, uint32_t column, uint32_t to, csg_near_rays *restrict k)
 {
     SIMD_LOOP for (uint32_t i = 0; i < CSG_TOGETHER; i++) {
-        k->in[column][i] = -HUGE_VAL;
-        k->out[column][i] = HUGE_VAL;
+        k->in[to][i] = -HUGE_VAL;
+        k->out[to][i] = HUGE_VAL;
     }
     for (uint32_t slab = of->first_slab[column]; slab < of->first_slab[column + 1]; slab++)
-        csg_lanes_cross_slab(of->numbers + csg_number(CSG_SLAB_NUMBERS, slab), column, k);
+        csg_lanes_cross_slab(of->numbers + csg_number(CSG_SLAB_NUMBERS, slab), to, k);
     if (of->round >> column & 1)
-        csg_lanes_cross_round(of, column, k);
-    csg_lanes_leave_missed(column, k);
+        csg_lanes_cross_round(of, column, to, k);
+    csg_lanes_leave_missed(to, k);
 }
 
 #endif

@@ -163,7 +163,7 @@ SIMD_CLONES SIMD_NOINLINE void csg_lanes_first_chord(const csg_tree *t, const po
     SIMD_ALIGNED csg_lane leave;
 
     for (uint32_t left = hollows; left; left &= left - 1)
-        csg_lanes_cross(t->outline, first_of(left), k);
+        csg_lanes_cross(t->outline, first_of(left), first_of(left), k);
     check_near(t, rays, k);
     SIMD_LOOP for (uint32_t i = 0; i < CSG_TOGETHER; i++) {
         out->at[i] = k->of[CSG_NEAR_START][i];
@@ -265,7 +265,7 @@ SIMD_CLONES SIMD_NOINLINE void csg_lanes_first_swept(const csg_tree *t, const po
 
     for (uint32_t c = 0; c < of->count; c++)
         if (!(of->within >> c & 1))
-            csg_lanes_cross(of, c, k);
+            csg_lanes_cross(of, c, c, k);
     check_near(t, rays, k);
     memset(out, 0, sizeof *out);
     SIMD_LOOP for (uint32_t i = 0; i < CSG_TOGETHER; i++)

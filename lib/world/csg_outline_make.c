@@ -238,14 +238,16 @@ static size_t turned_size(const csg_tree *t, const csg_outline *of)
 bool csg_is_small(const csg_tree *t)
 {
     uint32_t count = 0;
+    bool held = false;
 
     for (uint32_t i = 0; i < t->member_count; i++) {
         if (t->members[i].absent)
             continue;
-        if (t->members[i].patch || !t->members[i].shape->outline || ++count > CSG_TABLE_COLUMNS)
+        if (t->members[i].patch || !t->members[i].shape->outline || ++count > CSG_COLUMNS)
             return false;
+        held = held || t->members[i].needed;
     }
-    return t->boxed && !t->empty;
+    return t->boxed && !t->empty && (held || count <= CSG_TABLE_COLUMNS);
 }
 
 /* What the classes know of the columns. */

@@ -219,6 +219,59 @@ static csg_found search(sweep *s, csg_first *out)
     return found;
 }
 
+/* ---- what all columns have in common ---- */
+
+/* Is the tree within all of its columns, and so nothing else? */
+static bool is_common(const csg_outline *of) { return of->within == (1u << of->count) - 1 && !of->hidden; }
+
+/* Does the ray start in or before a column, for certain, and not on the edge of any but `from`? */
+static bool is_clear_of_start(const sweep *s, uint32_t i, uint32_t from)
+{
+    const double near = near_by(s, s->io.start);
+    const bool enters = fabs(s->io.in[i] - s->io.start) <= near, leaves = fabs(s->io.out[i] - s->io.start) <= near;
+
+    return i == from ? enters && !leaves : !enters && !leaves && s->io.out[i] > s->io.start;
+}
+
+/* No other crossing is near that one. */
+static bool is_single(const sweep *s, double at)
+{
+    const double near = 2.0 * near_by(s, at);
+    uint32_t count = 0;
+
+    for (uint32_t i = 0; i < s->of->count; i++)
+        count += (uint32_t)(fabs(s->io.in[i] - at) <= near) + (uint32_t)(fabs(s->io.out[i] - at) <= near);
+    return count == 1;
+}
+
+/* The last column that is entered; or, of a ray that starts within all, the first that is left. Open: as of other trees. */
+static csg_found find_common(const sweep *s, uint32_t from, csg_first *out)
+{
+    double enter = -HUGE_VAL, leave = HUGE_VAL, at;
+    uint32_t last = 0, first = 0;
+
+    for (uint32_t i = 0; i < s->of->count; i++) {
+        if (!is_clear_of_start(s, i, from))
+            return CSG_OPEN;
+        if (i != from && s->io.in[i] > enter) {
+            enter = s->io.in[i];
+            last = i;
+        }
+        if (s->io.out[i] < leave) {
+            leave = s->io.out[i];
+            first = i;
+        }
+    }
+    out->inward = enter > s->io.start;
+    at = out->inward ? enter : leave;
+    if (s->io.outside || enter > leave || at < s->from || at == HUGE_VAL || !is_single(s, at))
+        return CSG_OPEN;
+    out->column = out->inward ? last : first;
+    out->t = (at - s->io.start) * s->io.per_unit;
+    out->off = near_by(s, at) * s->io.per_unit;
+    return at > s->to ? CSG_NOTHING : CSG_CROSSED;
+}
+
 /* False: its member does not have it. */
 static bool report(sweep *s, const csg_first *f, pov_hits *hits)
 {
@@ -258,8 +311,11 @@ bool csg_sweep_first(csg_traversal *w, pov_hits *hits)
     from = csg_outline_column(w);
     if (is_nowhere(&s, from))
         return true;
-    if (!begin(&s, from, hits))
-        return false;
-    found = search(&s, &first);
+    found = is_common(s.of) ? find_common(&s, from, &first) : CSG_OPEN;
+    if (found == CSG_OPEN) {
+        if (!begin(&s, from, hits))
+            return false;
+        found = search(&s, &first);
+    }
     return found == CSG_NOTHING || (found == CSG_CROSSED && report(&s, &first, hits));
 }

@@ -196,6 +196,34 @@ static void make_any_tree(scene *s)
     assert_true(model_add_tree(&s->model, root));
 }
 
+/* A box that many planes cut, some of them along its edges or faces; or that and a member or two cut out of it. */
+static void make_polyhedron(scene *s)
+{
+    const group_node both = { .op = NODE_INTERSECTION, .line = 1, .column = 1 }, less = { .op = NODE_DIFFERENCE, .line = 1, .column = 1 };
+    const probe box = { .kind = BOX, .count = 6, .size = 1.0, .number = { -0.75, -0.5, -0.75, 0.75, 0.5, 0.75 } };
+    const uint32_t n = MOST + 1 + below(7), cut = U() < 0.5 ? 0 : 1 + below(2);
+    node_ref children[MOST + 7], root;
+
+    children[0] = add_moved(s, box, s->map, 0);
+    for (uint32_t i = 1; i < n; i++) {
+        const pov_vec3 d = families_direction();
+        probe plane = { .kind = PLANE, .count = 4, .size = 1.0, .number = { d.x, d.y, d.z, 0.4 + 0.6 * U() } };
+
+        if (U() < 0.3)
+            plane = (probe){ .kind = PLANE, .count = 4, .size = 1.0, .number = { U() < 0.5 ? 1.0 : -1.0, U() < 0.5 ? 1.0 : -1.0, 0.0, 1.25 / sqrt(2.0) } };
+        else if (U() < 0.2)
+            plane = (probe){ .kind = PLANE, .count = 4, .size = 1.0, .number = { 1.0, 0.0, 0.0, 0.75 } };
+        children[i] = add_moved(s, plane, U() < 0.9 ? s->map : NULL, 0);
+    }
+    assert_true(model_add_group(&s->model, &both, children, n, &root));
+    children[0] = root;
+    for (uint32_t i = 1; i <= cut; i++)
+        children[i] = add_member(s);
+    if (cut > 0)
+        assert_true(model_add_group(&s->model, &less, children, 1 + cut, &root));
+    assert_true(model_add_tree(&s->model, root));
+}
+
 /* A torus without poles, which has no outline, within one convex member or two, or within planes and quadrics; or what these have of it,
  * which others may clip, or one of them without the others. */
 static void make_torus_tree(scene *s, node_op op)
@@ -389,6 +417,14 @@ static void outlines_of_any_nodes_find_what_the_walk_finds(void **state)
     assert_true(all.hits > rays / 10 && all.blocked > all.hits / 2);
 }
 
+static void outlines_of_many_planes_find_what_the_walk_finds(void **state)
+{
+    const tally all = ask_all(make_polyhedron);
+
+    (void)state;
+    assert_true(all.hits > rays / 5 && all.blocked > all.hits / 2);
+}
+
 static void outlines_of_clips_find_what_the_walk_finds(void **state)
 {
     const tally all = ask_all(make_clipped_tree);
@@ -466,6 +502,7 @@ int main(int argc, char **argv)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(outlines_find_what_the_walk_finds),
         cmocka_unit_test(outlines_of_any_nodes_find_what_the_walk_finds),
+        cmocka_unit_test(outlines_of_many_planes_find_what_the_walk_finds),
         cmocka_unit_test(outlines_of_clips_find_what_the_walk_finds),
         cmocka_unit_test(outlines_of_what_cuts_a_surface_find_what_the_walk_finds),
         cmocka_unit_test(outlines_of_hollows_find_what_the_walk_finds),
