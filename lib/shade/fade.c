@@ -25,7 +25,9 @@ colour fade_by(const interior *in, double distance, double power)
 
 colour fade_over(const interior *in, double distance)
 {
-    return fade_by(in, distance, elementary_pow(distance / in->fade_distance, in->fade_power));
+    const bool exponential = in->fade_power >= exponential_power;   /* it asks for no power */
+
+    return fade_by(in, distance, exponential ? 0.0 : elementary_pow(distance / in->fade_distance, in->fade_power));
 }
 
 static inline double length_of(pov_vec3 v) { return sqrt(pov_dot(v, v)); }
