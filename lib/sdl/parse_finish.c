@@ -138,7 +138,10 @@ void parse_finish_reflection(pov_reader *in, void *self, keyword_id keyword)
 
     (void)keyword;
     if (in->token.kind != '{') {
+        /* As in POV-Ray the course of an earlier block ends with it; what it is raised to and its metallic stay. */
         r.of->min = r.of->max = value_colour(in, true).colour;
+        r.of->fresnel = false;
+        r.of->falloff = 1.0f;
         return;
     }
     items_open(in, &b);

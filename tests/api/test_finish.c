@@ -148,6 +148,10 @@ static void reflection_depends_on_the_angle_and_the_pigment(void **state)
         { FRONT, BARE "reflection { .5 fresnel .9 } } interior { ior 1.5 }", 0.25, 0.3, 0.35 },
         { FRONT, BARE "reflection { .5 fresnel fresnel 0 } } interior { ior 1.5 }", 0.000116, 0.000139, 0.000163 },
         { FRONT, BARE "reflection .3 reflection { exponent 2 } }", 0.0, 0.0, 0.0 },
+        /* A reflection without a block ends the course of an earlier one, and nothing else of it. */
+        { FRONT, BARE "reflection { 0, .5 fresnel } reflection .3 reflection { .1, .9 } } interior { ior 1.5 }", 0.05019, 0.06023, 0.07027 },
+        { FRONT, LEANING("-3") "reflection { 0, 1 falloff 3 } reflection .3 reflection { .1, .7 } }", 0.36905, 0.44288, 0.51669 },
+        { FRONT, BARE "reflection { .5 metallic } reflection .4 }", 0.18001, 0.14405, 0.08408 },
     };
     (void)state;
 
