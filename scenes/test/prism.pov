@@ -10,4 +10,4 @@ prism { cubic_spline 0, 1, 8, <-1,-1>, <1,-1>, <.3,.2>, <1,1>, <-1,1>, <1,-1>, <
 prism { bezier_spline -1, .3, 8, <0,0>, <2,0>, <1,1>, <0,1>, <0,1>, <-1,1>, <-2,0>, <0,0> open translate <-.5,0,2> pigment { rgb <.9,.3,.5> } }
 prism { conic_sweep linear_spline 0, 1, 5, <1,1>, <-1,1>, <-1,-1>, <1,-1>, <1,1> rotate 180*x scale <.8,1.4,.8> translate <-2.6,.4,-2> pigment { rgb <.9,.9,.3> } }
 difference { box { <-1,-1,-1>, <1,0,1> } prism { bezier_spline -2, 2, 8, <0,-.7>, <1,-.7>, <1,.7>, <0,.7>, <0,.7>, <-1,.7>, <-1,-.7>, <0,-.7> } scale .8 translate <.4,-.2,-3> pigment { rgb .8 } }
-prism { 0, 1, 6, <1,0>, <.3,.95>, <-.8,.59>, <-.8,-.59>, <.3,-.95>, <1,0> scale <.6,1.4,.6> translate <2.8,-1,-2.4> pigment { rgbf <.8,1,.9,.9> } interior { ior 1.4 } }
+prism { 0, 1, 6, <1,0>, <.3,.95>, <-.8,.59>, <-.8,-.59>, <.3,-.95>, <1,0> scale <.6,1.4,.6> translate <2.8,-.99,-2.4> pigment { rgbf <.8,1,.9,.9> } interior { ior 1.4 } }
