@@ -98,17 +98,20 @@ static void find_all(reflectances *m, const model *of)
 
 /* The ior of the object over that of the dielectric entered last, and the inverse where the ray leaves the object. That is the
  * ior ahead over that behind but for a ray that leaves one dielectric within another: for POV-Ray the one that was entered
- * last is the one ahead. If that is the object itself, there is none of Fresnel's reflection. */
+ * last is the one ahead. If that is the object itself, there is none of Fresnel's reflection. Nor does it know of dispersion. */
 static double ratio_at(const shade_context *c, const surface *s, const dielectric_crossing *at)
 {
     const model *m = c->scene->model;
     const dielectric_span in = s->from->inside;
+    dielectric_crossing white = *at;
 
-    if (at->index == in.count)
-        return at->after / at->before;
-    if (at->index + 1 == in.count)
-        return in.count == 1 ? 1.0 / at->before : 1.0;
-    return at->before / dielectric_ior(dielectric_interior(m, at->object), s->from->hue);
+    if (s->from->hue >= 0.0f)
+        dielectric_cross(&c->dielectrics, in, m, at->object, -1.0f, &white);
+    if (white.index == in.count)
+        return white.after / white.before;
+    if (white.index + 1 == in.count)
+        return in.count == 1 ? 1.0 / white.before : 1.0;
+    return white.before / dielectric_ior(dielectric_interior(m, at->object), -1.0f);
 }
 
 static void put_colour(float out[3][BATCH_MAX], uint32_t i, colour c)

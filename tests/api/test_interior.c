@@ -162,6 +162,16 @@ static void dispersed_colours_are_turned_back_one_by_one(void **state)
 #define GLASS "finish { ambient 0 diffuse 0 reflection { 1 fresnel } conserve_energy ior 1.5 } "
 #define WHITE "background { rgb 0 } plane { -z, -5 pigment { rgb 1 } finish { ambient 1 diffuse 0 } } "
 
+/* As measured: what a mirror of Fresnel's takes is that of white light for each colour. */
+static void fresnel_takes_of_each_colour_as_much_as_of_white_light(void **state)
+{
+    const double left = 0.96 / 1.04;
+
+    (void)state;
+    assert_seen(WHITE "sphere { 0, 2 pigment { rgbt 1 } finish { ambient 0 diffuse 0 reflection { 0, 1 fresnel } conserve_energy } "
+                "interior { ior 1.5 dispersion 1.6 dispersion_samples 2 } }", 0.99380 * left, left, 0.99620 * left);
+}
+
 static void old_finishes_say_what_is_inside(void **state)
 {
     const double seen = 0.9216 / (1.0 - 0.0016);
@@ -230,6 +240,7 @@ int main(void)
         cmocka_unit_test(hidden_objects_are_passed),
         cmocka_unit_test(light_fades_over_all_of_a_way_across_what_is_not_seen),
         cmocka_unit_test(white_light_is_dispersed_into_its_colours),
+        cmocka_unit_test(fresnel_takes_of_each_colour_as_much_as_of_white_light),
         cmocka_unit_test(old_finishes_say_what_is_inside),
         cmocka_unit_test(a_weight_of_the_bailout_itself_is_below_it_where_its_float_is),
         cmocka_unit_test(leaving_a_solid_in_one_that_was_entered_later_reflects_by_both),
