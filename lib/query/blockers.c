@@ -90,13 +90,17 @@ static bool find_outline(const shape_class *shape, const void *self, const insta
     return shape->outline && shape->outline(self, out) && (!x || instance_outline(x, out));
 }
 
-static void find_ring(const shape_class *shape, const void *self, const instance_xform *x, blocker *out)
+/* Is the shape a ring? */
+static bool find_ring(const shape_class *shape, const void *self, const instance_xform *x, blocker_ring *out)
 {
     const pov_vec3 zero = { 0.0, 0.0, 0.0 };
     const pov_own_map same = { zero, { { 1.0, 0.0, 0.0 }, { 0.0, 1.0, 0.0 }, { 0.0, 0.0, 1.0 } }, zero };
 
-    out->ringed = shape->ring && shape->ring(self, out->radii);
+    if (!shape->ring || !shape->ring(self, out->radii))
+        return false;
     out->own = x ? (pov_own_map){ x->anchor, { x->column[0], x->column[1], x->column[2] }, x->own_anchor } : same;
+    out->hollowed = false;
+    return true;
 }
 
 /* ---- trees ---- */
@@ -176,20 +180,22 @@ static bool is_shown(const csg_tree *t, const csg_member *m, const csg_member *c
 }
 
 /* A ring that hides, but within its only hollow, needs no other member's shadow. */
-static void find_shown(const csg_tree *t, const csg_member *m, const csg_member *clip, blocker *b)
+static void find_shown(const csg_tree *t, const csg_member *m, const csg_member *clip, blocker *b, blocker_ring *ring)
 {
     const csg_member *hollow = NULL;
     uint32_t hollows;
 
     b->hides = is_shown(t, m, clip, &hollows, &hollow);
-    b->hollowed = b->hides && hollows == 1 && hollow->boxed && find_outline(hollow->shape, hollow->instance, hollow->xform, &b->hollow) && !b->hollow.round;
-    b->unaided = b->hides && (b->hollowed || hollows == 0);
+    ring->hollowed = b->hides && hollows == 1 && hollow->boxed && find_outline(hollow->shape, hollow->instance, hollow->xform, &ring->hollow) &&
+                     !ring->hollow.round;
+    b->unaided = b->hides && (ring->hollowed || hollows == 0);
 }
 
 /* What a member of a tree shows of its surface lies in the tree's box too. body: the member of which what is in no other one stops light. */
 static bool add_member(const asking *a, const csg_tree *t, const csg_member *m, const csg_member *body, bool opaque)
 {
     const csg_member *clip = NULL;
+    blocker_ring ring;
     blocker b = { .box = m->boxed ? m->box : t->box, .tree = t->members[0].leaf + 1 };
     const bool is_plane = !m->xform && !m->boxed && find_plane(m->shape, m->instance, &b.plane);
 
@@ -202,14 +208,14 @@ static bool add_member(const asking *a, const csg_tree *t, const csg_member *m, 
     if (!shaft_may_overlap(a->in, &b.box) || !may_show(a, t, m))
         return true;
     b.outlined = m->boxed && find_outline(m->shape, m->instance, m->xform, &b.solid);
-    find_ring(m->shape, m->instance, m->xform, &b);
+    b.ring = find_ring(m->shape, m->instance, m->xform, &ring) ? &ring : NULL;
     b.object = m->leaf;
-    if (b.ringed || (b.outlined && m->leaf == a->left[0].object))
+    if (b.ring || (b.outlined && m->leaf == a->left[0].object))
         clip = find_clip(t, m, &b.clip);
     b.clipped = clip != NULL;
     b.hides = b.outlined && m == body;
-    if (b.ringed && opaque)
-        find_shown(t, m, clip, &b);
+    if (b.ring && opaque)
+        find_shown(t, m, clip, &b, &ring);
     return a->add(a->user, &b);
 }
 
@@ -254,6 +260,7 @@ static bool add_boxed(const asking *a, const leaf_batch *r, uint32_t lane, const
     const instance_xform *x = r->flags & LEAF_INSTANCED ? leaf_batch_xform(r) : NULL;
     const uint32_t flags = r->shape->flags;
     blocker b = { .is_box = false };
+    blocker_ring ring;
     bool whole;
 
     if (!x && r->object[lane] < a->world->model->leaves.count &&
@@ -272,10 +279,10 @@ static bool add_boxed(const asking *a, const leaf_batch *r, uint32_t lane, const
     if (x && !may_overlap_own(a, x, r->shape, r->instances))
         return true;
     b.outlined = find_outline(r->shape, leaf_batch_instance(r, lane), x, &b.solid);
-    find_ring(r->shape, leaf_batch_instance(r, lane), x, &b);
-    whole = is_whole(r, lane) && (b.ringed || (b.outlined && (r->shape->flags & POV_SHAPE_CONVEX)));
+    b.ring = find_ring(r->shape, leaf_batch_instance(r, lane), x, &ring) ? &ring : NULL;
+    whole = is_whole(r, lane) && (b.ring || (b.outlined && (r->shape->flags & POV_SHAPE_CONVEX)));
     b.hides = whole && (r->opaque >> lane & 1);
-    b.dims = whole && !b.ringed && !b.hides;
+    b.dims = whole && !b.ring && !b.hides;
     b.object = r->object[lane];
     return a->add(a->user, &b);
 }

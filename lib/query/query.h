@@ -58,6 +58,9 @@ uint64_t query_occlusion_lanes(const world *w, query_context *k, const lane_rays
  * do crossings. A surface at the end itself is not on the segment. */
 bool query_occlusion_exact(const world *w, query_context *k, const pov_ray *ray, uint32_t which, double tmax,
                            occlusion *out);
+/* A solid of a shape class's `ring`, of these radii, in a space of its own; hollowed: if it hides it does not within `hollow`, in the world. */
+typedef struct blocker_ring { double radii[2]; pov_own_map own; bool hollowed; pov_outline hollow; } blocker_ring;
+
 /* What may cast a shadow: something in a box, which is off by a few units in the last place of its coordinates, or a plane. */
 typedef struct blocker {
     pov_box box;
@@ -68,15 +71,12 @@ typedef struct blocker {
                                   * a ring, within `clip`, where it ends */
     bool dims;                   /* it is such a solid of which each crossing leaves the same part of light */
     uint32_t object;             /* then, or of a member: its leaf */
-    bool ringed;                 /* its surface lies on that of a solid of the shape class's `ring`, of these radii, in a space of its own */
-    double radii[2];
-    pov_own_map own;
-    bool hollowed;               /* a ring hides but within `hollow`, in the world */
+    const blocker_ring *ring;    /* or on that of this one; or NULL */
     bool clipped;                /* it shows within this only: `clip`, in the world */
     uint32_t tree;               /* not 0: it is a member of this tree. What hides is then all that is in no other member of it, and
                                   * nothing of the tree is outside of it. */
     bool unaided;                  /* what hides does so whatever other members there are */
-    pov_outline solid, clip, hollow;
+    pov_outline solid, clip;
 } blocker;
 
 /* The object whose surface all rays of a shaft start on; outward: they leave to the side of its own normals. */

@@ -241,15 +241,17 @@ static bool find_ring(const finding *f, const blocker *b, area_ring *out)
     area_cover clip, hollow;
 
     return (!b->clipped || area_cover_make(&clip, &b->clip, p->from, p->to, p->axes)) &&
-           (!b->hollowed || area_cover_make(&hollow, &b->hollow, p->from, p->to, p->axes)) &&
-           area_ring_make(out, b->radii, &b->own, p->from, p->to, p->axes, b->clipped ? &clip : NULL, b->hollowed ? &hollow : NULL);
+           (!b->ring->hollowed || area_cover_make(&hollow, &b->ring->hollow, p->from, p->to, p->axes)) &&
+           area_ring_make(out, b->ring->radii, &b->ring->own, p->from, p->to, p->axes, b->clipped ? &clip : NULL, b->ring->hollowed ? &hollow : NULL);
 }
 
 static void find_cover(const finding *f, const blocker *b, area_shadow *out)
 {
-    out->ringed = b->ringed && find_ring(f, b, &out->ring);
+    area_view *view = f->out;
+
+    out->ring = b->ring && view->rings < AREA_RINGS_MAX && find_ring(f, b, &view->ring[view->rings]) ? view->rings + 1 : 0;
     out->outlined = b->outlined && area_cover_make(&out->cover, &b->solid, f->plane.from, f->plane.to, f->plane.axes);
-    out->hides = (out->outlined || out->ringed) && b->hides;
+    out->hides = (out->outlined || out->ring) && b->hides;
     out->dims = out->outlined && b->dims && is_beyond(f, &b->box);
     out->leaves = out->dims && are_of_one_side(f, b->object);
     out->tree = b->tree;
@@ -267,10 +269,10 @@ static bool leaves_clip(const finding *f, const blocker *b, const area_shadow *s
 }
 
 /* hidden: do all certainly cross a ring? */
-static bool misses(const area_shadow *s, const grid_part *all, bool *hidden)
+static bool misses(const area_view *v, const area_shadow *s, const grid_part *all, bool *hidden)
 {
     *hidden = false;
-    return s->ringed ? area_ring_misses(&s->ring, all, hidden) : s->outlined && area_cover_misses(&s->cover, all);
+    return s->ring ? area_ring_misses(&v->ring[s->ring - 1], all, hidden) : s->outlined && area_cover_misses(&s->cover, all);
 }
 
 static bool add_blocker(void *user, const blocker *b)
@@ -283,11 +285,12 @@ static bool add_blocker(void *user, const blocker *b)
     if (!grid_parts_overlap(&s.part, &f->all) || holds(&f->plane, &f->shaft, b))
         return true;
     find_cover(f, b, &s);
-    if (misses(&s, &f->all, &hidden) || leaves_clip(f, b, &s))
+    if (misses(out, &s, &f->all, &hidden) || leaves_clip(f, b, &s))
         return true;
     out->dark = s.hides && s.unaided && (hidden || (s.outlined && area_cover_hides(&s.cover, &f->all)));
     if (out->dark || out->count == AREA_VIEW_MAX)
         return false;
+    out->rings += s.ring ? 1 : 0;
     out->shadows[out->count++] = s;
     return true;
 }
@@ -320,7 +323,8 @@ static void hide_all(area_view *out)
     for (uint32_t i = 0; i < out->count; i++)
         out->shadows[i].hides = out->shadows[i].hides && out->shadows[i].unaided;
     s->part = (grid_part){ { -HUGE_VAL, -HUGE_VAL }, { HUGE_VAL, HUGE_VAL } };
-    s->outlined = s->ringed = s->hides = s->dims = s->leaves = false;
+    s->outlined = s->hides = s->dims = s->leaves = false;
+    s->ring = 0;
     s->tree = 0;
 }
 
@@ -329,20 +333,20 @@ void area_view_find(const shading *scene, const scene_light *from, const area_st
     finding f = { .all = from->grid->all, .start = start, .out = out };
 
     out->dark = false;
-    out->count = 0;
+    out->count = out->rings = 0;
     if ((!make_plane(from->light, start->at->point, to, &f.plane) || !make_shaft(&f.plane, &f.all, &f.shaft) ||
          !query_blockers(scene->world, &f.shaft, find_left(&f), add_blocker, &f)) && !out->dark)
         hide_all(out);
 }
 
 /* Parts that it may hide; and of a ring those that it certainly does. */
-static uint64_t open_of(const area_shadow *s, const area_parts *parts, uint64_t *hidden)
+static uint64_t open_of(const area_view *v, const area_shadow *s, const area_parts *parts, uint64_t *hidden)
 {
     const uint64_t may = area_parts_overlap(parts, &s->part);
 
     *hidden = 0;
-    if (may && s->ringed)
-        return may & ~area_ring_misses_of(&s->ring, parts, may, hidden);
+    if (may && s->ring)
+        return may & ~area_ring_misses_of(&v->ring[s->ring - 1], parts, may, hidden);
     return may && s->outlined ? may & ~area_cover_misses_of(&s->cover, parts, may) : may;
 }
 
@@ -355,7 +359,7 @@ static uint64_t hidden_of(const area_view *v, uint32_t i, const area_parts *part
     for (uint32_t k = 0; !v->shadows[i].unaided && k < v->count; k++)
         hollow |= k != i && v->shadows[k].tree == tree ? may[k] : 0;
     which &= may[i] & ~hollow;
-    if (v->shadows[i].ringed)
+    if (v->shadows[i].ring)
         return which & hidden;
     return which ? area_cover_hides_of(&v->shadows[i].cover, parts, which) : 0;
 }
@@ -382,7 +386,7 @@ area_states area_view_open(const area_view *v, const area_parts *parts)
     uint64_t may[AREA_VIEW_MAX], hidden[AREA_VIEW_MAX];
 
     for (uint32_t i = 0; i < v->count; i++)
-        may[i] = open_of(&v->shadows[i], parts, &hidden[i]);
+        may[i] = open_of(v, &v->shadows[i], parts, &hidden[i]);
     keep_within(v, may);
     for (uint32_t i = 0; i < v->count; i++)
         out.open |= may[i];

@@ -10,17 +10,17 @@
  * of a tree, where no other shadow of that may lie. */
 typedef struct area_shadow {
     grid_part part;
-    bool outlined, ringed, hides;
+    bool outlined, hides;
     bool dims, leaves;           /* what crosses it is dimmed alike; and all rays start on it and cross it as often */
     uint32_t tree;
     bool unaided;                  /* what hides does so whatever else is of the tree */
-    area_cover cover;            /* if it is outlined; or if it is ringed: */
-    area_ring ring;
+    uint32_t ring;               /* not 0: which of the view's, from one on */
+    area_cover cover;            /* if it is outlined */
 } area_shadow;
 
-/* dark: something hides all of the light. */
-enum { AREA_VIEW_MAX = 6 };
-typedef struct area_view { bool dark; uint32_t count; area_shadow shadows[AREA_VIEW_MAX]; } area_view;
+/* dark: something hides all of the light. Of more rings nothing is told but their boxes. */
+enum { AREA_VIEW_MAX = 6, AREA_RINGS_MAX = 2 };
+typedef struct area_view { bool dark; uint32_t count, rings; area_shadow shadows[AREA_VIEW_MAX]; area_ring ring[AREA_RINGS_MAX]; } area_view;
 
 /* Where it is seen from: at a completed hit, with the geometric normal there, unit, which faces the ray's start, on coincident surfaces or
  * NULL. */
