@@ -1,6 +1,7 @@
 #include "shade/accumulate.h"
 
 #include "base/simd.h"
+#include "shade/layered.h"
 
 /* What a layer gives of light, in all lanes. */
 SIMD_CLONES static void weigh(colour_lanes *restrict lit, colour emitted, colour by, uint32_t n)
@@ -93,6 +94,23 @@ static void add_stacks_alike(const surfaces *s, const stack *of, lit_stacks *fro
     add_levels(s, from->lit, of->count, out);
 }
 
+SIMD_CLONES static void weigh_each(colour_lanes *restrict lit, const colour_lanes *restrict emitted, const colour_lanes *restrict by, uint32_t n)
+{
+    for (uint32_t i = 0; i < n; i++) {
+        lit->red[i] = by->red[i] * (emitted->red[i] + lit->red[i]);
+        lit->green[i] = by->green[i] * (emitted->green[i] + lit->green[i]);
+        lit->blue[i] = by->blue[i] * (emitted->blue[i] + lit->blue[i]);
+    }
+}
+
+/* The same for layers that differ by their pigments. */
+static void add_layered(const surfaces *s, uint32_t levels, lit_stacks *from, colour *out)
+{
+    for (uint32_t k = 0; k < levels; k++)
+        weigh_each(&from->lit[k], &s->layered[k].emitted, &s->layered[k].by, lanes_whole(s->count));
+    add_levels(s, from->lit, levels, out);
+}
+
 static void add_stacks_each(const surfaces *s, const lit_stacks *from, colour *out)
 {
     for (uint32_t i = 0; i < s->count; i++) {
@@ -105,7 +123,9 @@ static void add_stacks_each(const surfaces *s, const lit_stacks *from, colour *o
 
 void accumulate_stacks(const surfaces *s, lit_stacks *from, colour *out)
 {
-    if (s->alike && s->at[0].appearance->stack)
+    if (s->layered)
+        add_layered(s, s->at[0].appearance->stack->count, from, out);
+    else if (s->alike && s->at[0].appearance->stack)
         add_stacks_alike(s, s->at[0].appearance->stack, from, out);
     else
         add_stacks_each(s, from, out);

@@ -1,8 +1,10 @@
 #include "shade/brdf.h"
 
+#include "base/lane_mask.h"
 #include "base/simd.h"
 #include "shade/film.h"
 #include "shade/highlight.h"
+#include "shade/layered.h"
 #include "shade/stack.h"
 
 static inline void set_lane(light_sample *s, const geometry *g, const vec_lanes *normal, bool shines, uint32_t i, pov_vec3 unit)
@@ -54,10 +56,11 @@ bool brdf_cosines(light_sample *s, const geometry *g, const vec_lanes *dir, bool
     return found != 0;
 }
 
-/* Reflected fraction of white light towards the ray's start, with a highlight; own: the colour of the pigment. */
-static colour brdf(const model *m, const appearance *of, colour own, double cosine, double specular_cos)
+/* Reflected fraction of white light towards the ray's start, with a highlight; own, diffuse_weight: those
+ * of the lane. */
+static colour brdf(const model *m, const appearance *of, colour own, float diffuse_weight, double cosine, double specular_cos)
 {
-    const colour diffuse = colour_scale(own, of->diffuse_weight * (float)cosine);
+    const colour diffuse = colour_scale(own, diffuse_weight * (float)cosine);
     const float strength = of->finish->phong * highlight_power(specular_cos, of);
 
     return colour_add(diffuse, colour_scale(highlight_colour(m, of, cosine), strength));
@@ -158,7 +161,8 @@ void brdf_reflect(const finishes *f, const model *m, light_sample *s, const ligh
 
         if (!s->odd[i])
             continue;
-        c = colour_mul(incident_at(in, i), brdf(m, stack_level(f->on->at[i].appearance, f->level), own, s->cosine[i], s->specular_cos[i]));
+        c = colour_mul(incident_at(in, i), brdf(m, stack_level(f->on->at[i].appearance, f->level), own, f->diffuse_weight[i], s->cosine[i],
+                                                s->specular_cos[i]));
         s->red[i] = c.r;
         s->green[i] = c.g;
         s->blue[i] = c.b;
@@ -249,15 +253,37 @@ static void begin_common(finishes *f, const surfaces *on, const appearance *a, c
     f->held_count = f->count > f->held_count ? f->count : f->held_count;
 }
 
+static void take_pigments(finishes *f, const colour_lanes *of)
+{
+    memcpy(f->red, of->red, sizeof f->red);
+    memcpy(f->green, of->green, sizeof f->green);
+    memcpy(f->blue, of->blue, sizeof f->blue);
+}
+
 /* Surfaces of one appearance but for their pigments. All else is that of the finish, unless layers made it, or the material adds to it. */
 static void begin_coloured(finishes *f, const surfaces *on)
 {
     const appearance *a = on->at[0].appearance;
 
     begin_common(f, on, a, a == on->coloured || a->material->double_illuminate ? NULL : on->coloured);
-    memcpy(f->red, on->pigment.red, sizeof f->red);
-    memcpy(f->green, on->pigment.green, sizeof f->green);
-    memcpy(f->blue, on->pigment.blue, sizeof f->blue);
+    take_pigments(f, &on->pigment);
+}
+
+/* Layers of one finish that differ by their pigments. Only layers are held by that name. */
+static void begin_layered(finishes *f, const surfaces *on, uint32_t level)
+{
+    const layer_lanes *of = &on->layered[level];
+
+    begin_common(f, on, stack_level(on->at[0].appearance, level), of->of);
+    take_pigments(f, &of->pigment);
+    memcpy(f->diffuse_weight, of->diffuse_weight, sizeof f->diffuse_weight);
+    if (f->count > 0)
+        f->count = lane_mask_list(of->seen, f->lit);
+    if (f->count > 0)
+        return;
+    f->kinds = 0;
+    f->alike = 0;
+    f->has_phong = false;
 }
 
 void brdf_begin(finishes *f, const model *m, const surfaces *on, uint32_t level)
@@ -270,6 +296,10 @@ void brdf_begin(finishes *f, const model *m, const surfaces *on, uint32_t level)
     f->level = level;
     if (on->coloured) {
         begin_coloured(f, on);
+        return;
+    }
+    if (on->layered) {
+        begin_layered(f, on, level);
         return;
     }
     if (same) {

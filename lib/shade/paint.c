@@ -2,6 +2,7 @@
 
 #include "base/simd.h"
 #include "shade/coloured.h"
+#include "shade/layered.h"
 #include "shade/merge.h"
 #include "shade/paint_group.h"
 #include "shade/stack.h"
@@ -17,7 +18,8 @@ static bool make_stacks(painted *p, const env *e)
     layers = p->stacks ? (stack_layer *)(p->stacks + BATCH_MAX) : NULL;
     for (uint32_t i = 0; p->stacks && i < BATCH_MAX; i++)
         p->stacks[i].layers = layers + STACK_LEVELS * i;
-    return p->stacks != NULL;
+    p->layered = env_alloc_aligned(e, STACK_LEVELS * sizeof *p->layered, SIMD_LINE);
+    return p->stacks && p->layered;
 }
 
 bool paint_create(painted *p, const shading *scene)
@@ -36,6 +38,7 @@ void paint_destroy(painted *p, const env *e)
     env_free(e, p->terms);
     env_free(e, p->order);
     env_free(e, p->stacks);
+    env_free_aligned(e, p->layered);
 }
 
 /* ---- points ---- */
@@ -355,6 +358,20 @@ static bool merge_alike(const shading *scene, surfaces *s, painted *p)
     return true;
 }
 
+/* Nor those of layers that differ by their pigments. False: they are not such. */
+static bool put_layered(const shading *scene, surfaces *s, painted *p)
+{
+    const texture *of = texture_of_first(s);
+    paint_group g;
+
+    if (!of || !are_alike(s) || !layered_takes(scene, of, s->at[0].appearance->material))
+        return false;
+    paint_group_begin(&g, of);
+    add_all(&g, scene, s);
+    begin_none(s, p);
+    return layered_put(scene, of, &g.points, s, &p->stacks[0], p->layered);
+}
+
 /* Are all surfaces of one appearance that is the same everywhere? */
 static bool is_one(const surfaces *s)
 {
@@ -377,6 +394,8 @@ paint_kind paint_evaluate(const shading *scene, surfaces *s, painted *p)
     }
     if (paint_alike(scene, s, p) || merge_alike(scene, s, p) || find_normals_alike(scene, s, p))
         return PAINT_SINGLE;
+    if (put_layered(scene, s, p))
+        return PAINT_STACKS;
     count = evaluate(scene, s, p);
     for (uint32_t i = 0; i < s->count; i++) {
         const stack *of = s->at[i].appearance->stack;

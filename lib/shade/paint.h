@@ -12,6 +12,7 @@ typedef struct painted {
     uint32_t first[BATCH_MAX + 1];   /* of a surface in `order`; those with constant textures have none */
     uint64_t merged;             /* by surface: its terms are as one, which is its appearance; or a flat stack */
     struct stack *stacks;        /* of these, by surface: room for each */
+    struct layer_lanes *layered; /* their layers, where they differ by pigments alone; from the top */
 } painted;
 
 static inline bool paint_is_merged(const painted *p, uint32_t of) { return p->merged >> of & 1; }

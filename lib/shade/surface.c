@@ -371,6 +371,7 @@ int surfaces_complete(shade_context *c, surfaces *s, painted *p)
     s->geometry.shading = s->geometry.raw = &s->geometry.to.normal;
     s->interfaces = 0;
     s->coloured = NULL;
+    s->layered = NULL;
     if (scene->plan->smooth)
         set_shading_normals(scene, s);
     if (scene->plan->textures)

@@ -51,6 +51,7 @@ typedef struct surfaces {
     bool shared;                 /* neighbours may be at one hit: the rays from them to a light are one */
     const appearance *coloured;  /* the appearance of their finish, where all are of one but for the pigment and what is emitted, which
                                   * stand below by lane: see coloured.h; or NULL */
+    const struct layer_lanes *layered;   /* from the top: of flat stacks that are all of one but for the pigments; see layered.h; or NULL */
     surface at[BATCH_MAX];
     const pov_ray *rays[BATCH_MAX];   /* their rays in the same order, and the hits */
     hit *found[BATCH_MAX];

@@ -99,6 +99,42 @@ static void layers_of_one_hit_are_lit_together(void **state)
     }
 }
 
+/* Layers of one material, some of them hidden here and there, or only nearly. light: what else shines. */
+static float *draw_varied(const char *version, const char *finish, const char *light)
+{
+    char text[2048];
+    const int length = snprintf(text, sizeof text,
+        "#version %s; global_settings { assumed_gamma 1 ambient_light <1,.8,.9> } camera { location <0,1,-4> look_at 0 angle 50 }\n"
+        "light_source { <3,5,-4> rgb 1 } light_source { <-4,2,-3> rgb <.2,.3,.4> } %s\n"
+        "sphere { 0, 1 texture { pigment { bozo color_map { [0 rgb <.7,.4,.2>] [1 rgb <.2,.3,.9>] } scale .2 } %s }\n"
+        "texture { pigment { wood color_map { [.3 rgbf <.01,.01,.02,.5>] [.4 rgbt <1,.9,.2,.7>] [.8 rgb <0,1,0>] } scale .4 } %s }\n"
+        "texture { pigment { gradient x color_map { [.2 rgbft <.6,.9,.8,.6,.2>] [.5 rgb <.2,.9,.8>] [.5 rgbt 1] } scale .5 } finish { diffuse .7 emission .1 specular .2 } } }\n",
+        version, light, finish, finish);
+
+    assert_in_range(length, 1, sizeof text - 1);
+    return scenes_draw(text, WIDTH, HEIGHT, 1, 1);
+}
+
+static void layers_of_varied_pigments_are_lit_together(void **state)
+{
+    static const char *const finishes[] = {
+        "finish { specular .4 roughness .013 ambient .2 }", "finish { phong .7 phong_size 40 brilliance 2 }", "finish { phong .7 phong_size 33.3 }",
+        "finish { diffuse 0 ambient .3 }", "finish { diffuse 0 phong 1 }", "finish { crand .1 }", "finish { metallic phong 1 }",
+        "finish { irid { .3 thickness .2 } }", "finish { reflection .1 }",
+    };
+    static const char *const versions[] = { "3.1", "3.7" };
+    (void)state;
+
+    for (size_t i = 0; i < 2 * (sizeof finishes / sizeof finishes[0]); i++) {
+        float *together = draw_varied(versions[i % 2], finishes[i / 2], "");
+        float *apart = draw_varied(versions[i % 2], finishes[i / 2], "light_source { 5*y rgb 0 area_light x, z, 2, 2 area_illumination }");
+
+        assert_memory_equal(together, apart, (size_t)WIDTH * HEIGHT * 4 * sizeof *apart);
+        free(together);
+        free(apart);
+    }
+}
+
 /* Nothing is left for what lies below an opaque layer, nor for the ray through it. */
 static void layers_below_an_opaque_one_are_hidden(void **state)
 {
@@ -308,6 +344,7 @@ int main(void)
         cmocka_unit_test(constant_layers_give_what_patterns_of_one_colour_give),
         cmocka_unit_test(what_depends_on_the_angle_is_weighed_at_each_hit),
         cmocka_unit_test(layers_of_one_hit_are_lit_together),
+        cmocka_unit_test(layers_of_varied_pigments_are_lit_together),
         cmocka_unit_test(layers_below_an_opaque_one_are_hidden),
         cmocka_unit_test(total_reflection_weighs_as_much_as_what_would_go_through),
         cmocka_unit_test(the_upper_normal_bends_what_goes_through),
