@@ -220,6 +220,27 @@ static bool is_any_between(const line *n, const common_ray *k, double lo, double
     return hits->want == POV_WANT_ANY && (n->base + lo) * k->unit > hits->tmin && (n->base + hi) * k->unit < hits->tmax - hits->slack;
 }
 
+static void clip_sum(const line *n, double x, double y, double z, common_span *s)
+{
+    const pov_vec3 by = { x, y, z };
+
+    common_clip_axis(s, pov_dot(by, n->o), pov_dot(by, n->d), -1.0, 1.0, 0x1p-40);
+}
+
+/* Powers of at most one of numbers up to one are no less than these: where the sizes of two coordinates, or of all, add to no more than one. */
+static void clip_sums(const line *n, common_span *s)
+{
+    const bool ring = n->s->e >= 2.0, all = n->s->n >= 2.0;
+
+    for (int i = 0; ring && !all && i < 2; i++)
+        clip_sum(n, 1.0, i == 0 ? 1.0 : -1.0, 0.0, s);
+    for (int i = 0; all && i < 4; i++)
+        if (ring)
+            clip_sum(n, 1.0, i < 2 ? 1.0 : -1.0, i % 2 == 0 ? 1.0 : -1.0, s);
+        else
+            clip_sum(n, i < 2 ? 1.0 : 0.0, i < 2 ? 0.0 : 1.0, i % 2 == 0 ? 1.0 : -1.0, s);
+}
+
 /* A stretch, and on which side its ends are. */
 typedef struct stretch { double lo, hi; bool out, still; } stretch;
 
@@ -231,13 +252,15 @@ static double root_of(const line *n, const common_ray *k, const stretch *s, bool
 }
 
 /* False: nothing more is wanted. */
-static bool search(const line *n, const common_ray *k, stretch s, int depth, pov_hits *hits)
+static bool search(const line *n, const common_ray *k, const common_span *within, stretch s, int depth, pov_hits *hits)
 {
     const double middle = 0.5 * (s.lo + s.hi);
     stretch near = s, far = s;
     places p;
     known is;
 
+    if (s.hi < within->lo || s.lo > within->hi)
+        return true;
     /* Behind a crossing that is known, or the end. */
     if ((n->base + s.lo) * k->unit > (hits->tmax + hits->slack) * (1.0 + 0x1p-40))
         return true;
@@ -249,12 +272,17 @@ static bool search(const line *n, const common_ray *k, stretch s, int depth, pov
         return s.out == s.still || report(n, k, root_of(n, k, &s, is == MONOTONIC, hits), hits);
     near.hi = far.lo = middle;
     near.still = far.out = is_place_above(n, &p, MIDDLE, 1.0);
-    return search(n, k, near, depth - 1, hits) && search(n, k, far, depth - 1, hits);
+    return search(n, k, within, near, depth - 1, hits) && search(n, k, within, far, depth - 1, hits);
 }
 
 void common_superellipsoid_star(const line *n, const common_ray *k, double from, pov_hits *hits)
 {
-    const stretch all = { from, n->span.hi, from > n->span.lo ? is_outside(n, from) : true, true };
+    common_span within = { from, n->span.hi };
+    stretch all = { from, n->span.hi, true, true };
 
-    search(n, k, all, 26, hits);
+    clip_sums(n, &within);
+    if (within.lo > within.hi)
+        return;
+    all.out = from > n->span.lo ? is_outside(n, from) : true;
+    search(n, k, &within, all, 26, hits);
 }
