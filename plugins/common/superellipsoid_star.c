@@ -1,10 +1,6 @@
 /* Superellipsoids with an exponent above 2: stars, which a ray may enter more than once. Where a stretch of the ray may meet them
  * is bounded by what is nearest to the planes of the coordinates, and farthest from them. */
-#include "common/superellipsoid.h"
-
-static inline double smaller(double a, double b) { return a < b ? a : b; }
-static inline double larger(double a, double b) { return a > b ? a : b; }
-static inline double least_of(double a, double b) { return (a < 0.0) != (b < 0.0) ? 0.0 : smaller(fabs(a), fabs(b)); }
+#include "common/superellipsoid_star.h"
 
 /* The turn at which a crossing between two points is about known. */
 enum { NARROW = 8 };
@@ -23,33 +19,16 @@ static bool is_outside(const line *n, double t)
     return fabs(approx - 1.0) > APPROX ? approx > 1.0 : size_at(n->s, p) > 1.0;
 }
 
-/* Of a stretch: what is nearest to the planes of its coordinates, what is farthest from them, and its middle; with approximate sizes, to
- * the power 2 / n, and exact ones where these do not tell them from one. How the power grows with each coordinate: `ring` times that of x and
- * y, and that of z. */
-enum { NEAREST, FARTHEST, MIDDLE, PLACES };
-typedef double place_lanes[PLACES + 1];
-typedef struct places { place_lanes x, y, z, approx, by_x, by_y, by_z, ring, size, shares; bool exact; } places;
-
-/* What a power grows by with its base, which is x or nearer to zero. */
-COMMON_INLINE double growth_of(double power, double x, double y)
-{
-    const double at_zero = y < 1.0 ? HUGE_VAL : 0.0;
-
-    return x > 0x1p-30 ? y * power / x : y == 1.0 ? 1.0 : at_zero;
-}
-
-COMMON_CLONES static void approx_sizes(double e, double n, places *restrict p)
+COMMON_CLONES static void approx_sizes(const star_powers *s, places *restrict p)
 {
     for (uint32_t i = 0; i < PLACES + 1; i++) {
-        const double x = fabs(p->x[i]), y = fabs(p->y[i]), z = fabs(p->z[i]);
-        const double of_x = approx_power(x, 2.0 / e), of_y = approx_power(y, 2.0 / e), of_z = approx_power(z, 2.0 / n);
-        const double ring = approx_power(of_x + of_y, e / n);
+        const star_power power = power_at(s, p->x[i], p->y[i], p->z[i]);
 
-        p->approx[i] = ring + of_z;
-        p->by_x[i] = growth_of(of_x, x, 2.0 / e);
-        p->by_y[i] = growth_of(of_y, y, 2.0 / e);
-        p->by_z[i] = growth_of(of_z, z, 2.0 / n);
-        p->ring[i] = ring / (of_x + of_y) * (e / n);
+        p->approx[i] = power.value;
+        p->by_x[i] = power.by_x;
+        p->by_y[i] = power.by_y;
+        p->by_z[i] = power.by_z;
+        p->ring[i] = power.ring;
     }
 }
 
@@ -75,12 +54,13 @@ static void find_places(const line *n, double lo, double hi, places *out)
 {
     const pov_vec3 a = pov_add(n->o, pov_scale(n->d, lo)), b = pov_add(n->o, pov_scale(n->d, hi));
     const pov_vec3 m = pov_add(n->o, pov_scale(n->d, 0.5 * (lo + hi)));
+    const star_powers powers = powers_of(n->s);
 
     put_axis(out->x, a.x, b.x, m.x);
     put_axis(out->y, a.y, b.y, m.y);
     put_axis(out->z, a.z, b.z, m.z);
     if (n->s->approx)
-        approx_sizes(n->s->e, n->s->n, out);
+        approx_sizes(&powers, out);
     for (uint32_t i = 0; !n->s->approx && i < PLACES; i++)
         out->approx[i] = 1.0;
     out->exact = false;
@@ -96,63 +76,24 @@ static bool is_place_above(const line *n, places *p, uint32_t i, double level)
     return p->size[i] > level;
 }
 
-/* The least and the greatest of a factor between two values, times one of any sign, and more than what powers are off. */
-typedef struct range { double lo, hi; } range;
-
-static range times(double a, double b, double by)
+static inline star_power power_of_place(const places *p, int i)
 {
-    const double most = larger(a, b) * (1.0 + 0x1p-10) * by, least = smaller(a, b) * (1.0 - 0x1p-10) * by;
-    const range r = { smaller(least, most), larger(least, most) };
+    const star_power power = { p->approx[i], p->by_x[i], p->by_y[i], p->by_z[i], p->ring[i] };
 
-    return r;
+    return power;
 }
 
-/* Bounds of how the size, to the power 2 / n, grows along a stretch where no coordinate changes its sign. False: there are none. */
-static bool find_growth(const line *n, const places *p, double middle, range *out)
-{
-    const pov_vec3 at = pov_add(n->o, pov_scale(n->d, middle));
-    range x, y, z;
-
-    if (!n->s->approx || !(p->x[NEAREST] > 0x1p-30 && p->y[NEAREST] > 0x1p-30 && p->z[NEAREST] > 0x1p-30))
-        return false;
-    x = times(p->by_x[NEAREST], p->by_x[FARTHEST], copysign(n->d.x, n->d.x * at.x));
-    y = times(p->by_y[NEAREST], p->by_y[FARTHEST], copysign(n->d.y, n->d.y * at.y));
-    z = times(p->by_z[NEAREST], p->by_z[FARTHEST], copysign(n->d.z, n->d.z * at.z));
-    out->lo = times(p->ring[NEAREST], p->ring[FARTHEST], x.lo + y.lo).lo + z.lo;
-    out->hi = times(p->ring[NEAREST], p->ring[FARTHEST], x.hi + y.hi).hi + z.hi;
-    return true;
-}
-
-/* What is known of a stretch: its points are all outside, or all inside; its size grows or falls all along, so that it has one crossing
- * at most; or nothing. */
-typedef enum known { OUTSIDE, INSIDE, MONOTONIC, NOTHING } known;
-
-/* By approximate sizes. */
 static known find_about(const line *n, const places *p, double middle, double half)
 {
-    range by;
-    double most;
+    const star_power nearest = power_of_place(p, NEAREST), farthest = power_of_place(p, FARTHEST);
+    const bool is_off = p->x[NEAREST] > 0x1p-30 && p->y[NEAREST] > 0x1p-30 && p->z[NEAREST] > 0x1p-30;
 
-    if (p->approx[NEAREST] - 1.0 > APPROX)
-        return OUTSIDE;
-    if (1.0 - p->approx[FARTHEST] > APPROX)
-        return INSIDE;
-    if (!find_growth(n, p, middle, &by))
-        return NOTHING;
-    most = half * larger(fabs(by.lo), fabs(by.hi)) + APPROX;
-    if (p->approx[MIDDLE] - 1.0 > most)
-        return OUTSIDE;
-    if (1.0 - p->approx[MIDDLE] > most)
-        return INSIDE;
-    return by.lo > 0.0 || by.hi < 0.0 ? MONOTONIC : NOTHING;
+    return known_of(&nearest, &farthest, p->approx[MIDDLE], is_off && n->s->approx, n->d, pov_add(n->o, pov_scale(n->d, middle)), half);
 }
 
-static known find_known(const line *n, places *p, double middle, double half)
+/* Where approximate sizes tell nothing. */
+static known find_known(const line *n, places *p)
 {
-    const known about = find_about(n, p, middle, half);
-
-    if (about != NOTHING)
-        return about;
     if (is_place_above(n, p, NEAREST, 1.0 + FINE))
         return OUTSIDE;
     return is_place_above(n, p, FARTHEST, 1.0 - FINE) ? NOTHING : INSIDE;
@@ -174,7 +115,7 @@ static void narrow(const line *n, double *lo, double *hi, bool is_out)
 }
 
 /* A crossing between points on different sides. */
-static double bisect(const line *n, double lo, double hi, bool is_out)
+double common_star_bisect(const line *n, double lo, double hi, bool is_out)
 {
     for (int turn = 0;; turn++) {
         const double middle = 0.5 * (lo + hi);
@@ -194,13 +135,13 @@ static double find_only(const line *n, double lo, double hi, bool is_out)
 {
     double t = 0.5 * (lo + hi), slope, value = approx_along(n, t, &slope), next;
 
-    for (int turn = 0; turn < 40 && fabs(value) > APPROX; turn++) {
+    for (int turn = 0; turn < APPROX_TURNS && fabs(value) > APPROX; turn++) {
         *((value > 0.0) == is_out ? &lo : &hi) = t;
         next = t - value / slope;
         t = next > lo && next < hi ? next : 0.5 * (lo + hi);
         value = approx_along(n, t, &slope);
     }
-    for (int turn = 0; turn < 80; turn++) {
+    for (int turn = 0; turn < EXACT_TURNS; turn++) {
         value = size_along(n, t, &slope);
         if (fabs(value) <= FINE)
             return t;
@@ -211,13 +152,7 @@ static double find_only(const line *n, double lo, double hi, bool is_out)
             return t;
         t = next;
     }
-    return bisect(n, lo, hi, is_out);
-}
-
-/* Does any crossing do, so that it need not be known where it lies between two distances? */
-static bool is_any_between(const line *n, const common_ray *k, double lo, double hi, const pov_hits *hits)
-{
-    return hits->want == POV_WANT_ANY && (n->base + lo) * k->unit > hits->tmin && (n->base + hi) * k->unit < hits->tmax - hits->slack;
+    return common_star_bisect(n, lo, hi, is_out);
 }
 
 static void clip_sum(const line *n, double x, double y, double z, common_span *s)
@@ -241,48 +176,73 @@ static void clip_sums(const line *n, common_span *s)
             clip_sum(n, i < 2 ? 1.0 : 0.0, i < 2 ? 0.0 : 1.0, i % 2 == 0 ? 1.0 : -1.0, s);
 }
 
-/* A stretch, and on which side its ends are. */
-typedef struct stretch { double lo, hi; bool out, still; } stretch;
-
 static double root_of(const line *n, const common_ray *k, const stretch *s, bool only, const pov_hits *hits)
 {
     if (is_any_between(n, k, s->lo, s->hi, hits))
         return 0.5 * (s->lo + s->hi);
-    return only ? find_only(n, s->lo, s->hi, s->out) : bisect(n, s->lo, s->hi, s->out);
+    return only ? find_only(n, s->lo, s->hi, s->out) : common_star_bisect(n, s->lo, s->hi, s->out);
+}
+
+/* Where no coordinate changes its sign, powers of at most one bend down along a ray, and so do their sums and a norm of such a power: between
+ * points outside, all are. */
+static bool bends_down(const line *n, const places *p)
+{
+    return n->s->e >= 2.0 && n->s->n >= 2.0 && p->x[NEAREST] > 0.0 && p->y[NEAREST] > 0.0 && p->z[NEAREST] > 0.0;
+}
+
+quest common_star_quest(const line *n, places *p, known about, const stretch *s, stretch *near, stretch *far)
+{
+    known is = about;
+
+    if (about == NOTHING)
+        is = s->out && s->still && bends_down(n, p) ? OUTSIDE : find_known(n, p);
+    if (is == OUTSIDE || is == INSIDE || (is == MONOTONIC && s->out == s->still))
+        return NO_MORE;
+    if (is == MONOTONIC)
+        return ONLY;
+    if (s->depth == 0 || (s->out != s->still && s->depth < 16))
+        return s->out == s->still ? NO_MORE : CROSSING;
+    *near = *far = *s;
+    near->depth = far->depth = s->depth - 1;
+    near->hi = far->lo = 0.5 * (s->lo + s->hi);
+    near->still = far->out = is_place_above(n, p, MIDDLE, 1.0);
+    return HALVES;
 }
 
 /* False: nothing more is wanted. */
-static bool search(const line *n, const common_ray *k, const common_span *within, stretch s, int depth, pov_hits *hits)
+static bool search(const line *n, const common_ray *k, const common_span *within, const stretch *s, pov_hits *hits)
 {
-    const double middle = 0.5 * (s.lo + s.hi);
-    stretch near = s, far = s;
+    stretch near, far;
     places p;
-    known is;
+    quest next;
 
-    if (s.hi < within->lo || s.lo > within->hi)
+    if (is_past(n, k, within, s, hits))
         return true;
-    /* Behind a crossing that is known, or the end. */
-    if ((n->base + s.lo) * k->unit > (hits->tmax + hits->slack) * (1.0 + 0x1p-40))
-        return true;
-    find_places(n, s.lo, s.hi, &p);
-    is = find_known(n, &p, middle, 0.5 * (s.hi - s.lo));
-    if (is == OUTSIDE || is == INSIDE || (is == MONOTONIC && s.out == s.still))
-        return true;
-    if (depth == 0 || is == MONOTONIC || (s.out != s.still && depth < 16))
-        return s.out == s.still || report(n, k, root_of(n, k, &s, is == MONOTONIC, hits), hits);
-    near.hi = far.lo = middle;
-    near.still = far.out = is_place_above(n, &p, MIDDLE, 1.0);
-    return search(n, k, within, near, depth - 1, hits) && search(n, k, within, far, depth - 1, hits);
+    find_places(n, s->lo, s->hi, &p);
+    next = common_star_quest(n, &p, find_about(n, &p, 0.5 * (s->lo + s->hi), 0.5 * (s->hi - s->lo)), s, &near, &far);
+    if (next == HALVES)
+        return search(n, k, within, &near, hits) && search(n, k, within, &far, hits);
+    return next == NO_MORE || report(n, k, root_of(n, k, s, next == ONLY, hits), hits);
+}
+
+bool common_star_whole(const line *n, double from, bool out, common_span *within, stretch *all)
+{
+    const stretch whole = { from, n->span.hi, out, true, 26 };
+
+    within->lo = from;
+    within->hi = n->span.hi;
+    clip_sums(n, within);
+    if (within->lo > within->hi)
+        return false;
+    *all = whole;
+    return true;
 }
 
 void common_superellipsoid_star(const line *n, const common_ray *k, double from, pov_hits *hits)
 {
-    common_span within = { from, n->span.hi };
-    stretch all = { from, n->span.hi, true, true };
+    common_span within;
+    stretch all;
 
-    clip_sums(n, &within);
-    if (within.lo > within.hi)
-        return;
-    all.out = from > n->span.lo ? is_outside(n, from) : true;
-    search(n, k, &within, all, 26, hits);
+    if (common_star_whole(n, from, from > n->span.lo ? is_outside(n, from) : true, &within, &all))
+        search(n, k, &within, &all, hits);
 }

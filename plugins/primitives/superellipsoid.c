@@ -3,7 +3,8 @@
  * The left side to the power n/2 is a size: of a point twice as far it is double. With e and n up to 2 that is a norm, which
  * is convex along a ray: Newton's method from outside comes to the first crossing without passing it, and the slope tells
  * a ray that misses. Stars, with e or n above 2, are searched by bounds (common/superellipsoid_star.c). */
-#include "common/superellipsoid.h"
+#include "common/superellipsoid_lanes.h"
+#include "common/superellipsoid_star.h"
 
 /* Exponents below this make edges that no double tells from those of a box. */
 static const double SHARPEST = 0x1p-10, NEAR = 0x1p-30, LAST = 0x1p-27;
@@ -176,66 +177,16 @@ static void intersect(const void *self, const pov_ray *ray, pov_hits *hits)
 
 /* ---- several rays side by side ---- */
 
-/* As many as a vector holds. */
-#if defined(__AVX512F__)
-enum { TOGETHER = 8 };
-#else
-enum { TOGETHER = 4 };
-#endif
-typedef double lane[TOGETHER];
-
-/* By lane: a line, and its shape's exponents. */
-typedef struct line_lanes { lane o[3], d[3], e, n; } line_lanes;
-
-COMMON_INLINE line get_line(const line_lanes *l, superellipsoid *s, uint32_t i)
-{
-    line n;
-
-    s->e = l->e[i];
-    s->n = l->n[i];
-    n.s = s;
-    n.o = pov_vec3_of(l->o[0][i], l->o[1][i], l->o[2][i]);
-    n.d = pov_vec3_of(l->d[0][i], l->d[1][i], l->d[2][i]);
-    return n;
-}
-
-static void put_line(line_lanes *l, const line *n, uint32_t i)
-{
-    l->o[0][i] = n->o.x;
-    l->o[1][i] = n->o.y;
-    l->o[2][i] = n->o.z;
-    l->d[0][i] = n->d.x;
-    l->d[1][i] = n->d.y;
-    l->d[2][i] = n->d.z;
-    l->e[i] = n->s->e;
-    l->n[i] = n->s->n;
-}
-
-/* size_along() and approx_along() of all lanes. */
 COMMON_SEPARATE static void sizes_along(const line_lanes *restrict l, const double *restrict t, double *restrict value,
                                       double *restrict slope)
 {
-    for (uint32_t i = 0; i < TOGETHER; i++) {
-        superellipsoid s;
-        const line n = get_line(l, &s, i);
-        double by;
-
-        value[i] = value_along(&n, t[i], false, &by);
-        slope[i] = by;
-    }
+    values_along(l, t, false, value, slope);
 }
 
 COMMON_SEPARATE static void approxes_along(const line_lanes *restrict l, const double *restrict t, double *restrict value,
                                          double *restrict slope)
 {
-    for (uint32_t i = 0; i < TOGETHER; i++) {
-        superellipsoid s;
-        const line n = get_line(l, &s, i);
-        double by;
-
-        value[i] = value_along(&n, t[i], true, &by);
-        slope[i] = by;
-    }
+    values_along(l, t, true, value, slope);
 }
 
 /* One of them: where it is, and whether that is still being looked for. `near`: about the first crossing. */
@@ -346,16 +297,48 @@ static void cross_lanes(members *all, const pov_ray *const *rays, pov_hits *cons
     }
 }
 
+/* Stars among the rays. */
+static void find_stars(const superellipsoid *const *selves, const pov_ray *const *rays, pov_hits *const *hits, uint32_t n)
+{
+    star_ray all[STARS];
+    uint32_t count = 0;
+
+    for (uint32_t i = 0; i < n; i++) {
+        star_ray *r = &all[count];
+        const bool from_here = rays[i]->origin_surface == hits[i]->owner;
+
+        r->k = common_enter(rays[i], pov_two3_of(zero, zero), 1.0);
+        if (!enter(&r->n, selves[i], &r->k, from_here, hits[i]))
+            continue;
+        r->from = from_here ? NEAR : r->n.span.lo;
+        r->hits = hits[i];
+        count++;
+    }
+    if (count > 0)
+        common_superellipsoid_stars(all, count);
+}
+
 static void intersect_many(const void *const *selves, const pov_ray *const *rays, pov_hits *const *hits, uint32_t n)
 {
-    const pov_ray *some[TOGETHER];
-    pov_hits *of[TOGETHER];
+    const pov_ray *some[TOGETHER], *star_rays[STARS];
+    pov_hits *of[TOGETHER], *star_hits[STARS];
+    const superellipsoid *stars[STARS];
     members all;
-    uint32_t count = 0;
+    uint32_t count = 0, star_count = 0;
 
     for (uint32_t i = 0; i < n; i++) {
         const superellipsoid *s = selves[i];
 
+        if (!s->convex && s->approx && !hits[i]->always_exact) {
+            stars[star_count] = s;
+            star_rays[star_count] = rays[i];
+            star_hits[star_count++] = hits[i];
+            if (star_count == STARS) {
+                find_stars(stars, star_rays, star_hits, star_count);
+                star_count = 0;
+            }
+            continue;
+        }
         if (!s->convex || rays[i]->origin_surface == hits[i]->owner || hits[i]->always_exact) {
             intersect(s, rays[i], hits[i]);
             continue;
@@ -370,6 +353,7 @@ static void intersect_many(const void *const *selves, const pov_ray *const *rays
             count = 0;
         }
     }
+    find_stars(stars, star_rays, star_hits, star_count);
     if (count > 1)
         cross_lanes(&all, some, of, count);
     else if (count > 0)
