@@ -14,6 +14,8 @@ static const char text[] = "#version 3.7; camera { location <0, 1, -4> look_at 0
                            "sphere { <1.5, 0, -.5>, .5 pigment { rgbt .9 } interior { ior 1.4 } }\n"
                            "torus { .5, .2 scale <1, .5, 1.3> rotate <40, 20, 0> translate <-1.6, .6, -1> }\n"
                            "superellipsoid { <.4, .3> scale .4 rotate 30*y translate <1.6, 1, 0> }\n"
+                           "superellipsoid { <3, .4> scale .6 rotate <20, 30, 0> translate <-.9, 1.3, -1> }\n"
+                           "superellipsoid { <2.5, 3> scale .7 rotate <50, 10, 0> translate <.6, -.6, -1.2> }\n"
                            "difference { box { <-.5, .8, -.5>, <.5, 1.6, .5> } sphere { <0, 1.4, -.5>, .4 } rotate 20*z }\n";
 
 typedef struct rays { pov_vec3 org[COUNT], dir[COUNT]; } rays;
