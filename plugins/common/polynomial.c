@@ -9,13 +9,6 @@
 enum { MOST = COMMON_ORDER_MAX + 1 };
 
 /* Polynomials in the distance. */
-#define LINE(name) line_##name
-#define LINE_NUMBER double
-#define LINE_VECTOR pov_vec3
-#define LINE_OF(x) (x)
-#define LINE_ADD(a, b) ((a) + (b))
-#define LINE_MUL(a, b) ((a) * (b))
-#define LINE_BY(a, c) ((a) * (c))
 #include "common/polynomial_line.h"
 
 /* ---- roots ---- */

@@ -1,5 +1,4 @@
-/* polynomial_line.h - the equation along o + d t, once over a number type, and once over each that includes this file after it has
- * defined
+/* polynomial_line.h - the equation along o + d t, over the numbers of the file that includes this one after it has defined
  *
  *   LINE(name)                      a name for that type
  *   LINE_NUMBER, LINE_VECTOR        a number; three, as x, y and z
@@ -7,7 +6,18 @@
  *   LINE_ADD(a, b), LINE_MUL(a, b)  sum and product
  *   LINE_BY(a, c)                   the product with a double
  *
+ * or over double, as line_name(), where LINE is not defined.
+ *
  * Of the polynomial in t no more than the m + 1 lowest coefficients are formed: with m = 0 the value at o, with m = 1 its slope too. */
+#ifndef LINE
+#define LINE(name) line_##name
+#define LINE_NUMBER double
+#define LINE_VECTOR pov_vec3
+#define LINE_OF(x) (x)
+#define LINE_ADD(a, b) ((a) + (b))
+#define LINE_MUL(a, b) ((a) * (b))
+#define LINE_BY(a, c) ((a) * (c))
+#endif
 
 /* s = s (o + d t). */
 COMMON_INLINE void LINE(times)(LINE_NUMBER *s, int m, LINE_NUMBER o, LINE_NUMBER d)

@@ -10,13 +10,6 @@ enum { MOST = COMMON_ORDER_MAX + 1 };
 /* ---- along a ray ---- */
 
 /* Polynomials in the distance have n + 1 coefficients, of which the last ones may be zero. */
-#define LINE(name) line_##name
-#define LINE_NUMBER double
-#define LINE_VECTOR pov_vec3
-#define LINE_OF(x) (x)
-#define LINE_ADD(a, b) ((a) + (b))
-#define LINE_MUL(a, b) ((a) * (b))
-#define LINE_BY(a, c) ((a) * (c))
 #include "common/polynomial_line.h"
 
 /* The loops of order 6 are unrolled. */

@@ -39,7 +39,7 @@ static inline void put_line(line_lanes *l, const line *n, uint32_t i)
     l->n[i] = n->s->n;
 }
 
-/* size_along() or approx_along() of all lanes. */
+/* value_along() of all lanes. */
 COMMON_INLINE void values_along(const line_lanes *restrict l, const double *restrict t, bool approx, double *restrict value,
                                 double *restrict slope)
 {
@@ -51,6 +51,17 @@ COMMON_INLINE void values_along(const line_lanes *restrict l, const double *rest
         value[i] = value_along(&n, t[i], approx, &by);
         slope[i] = by;
     }
+}
+
+/* size_along() of all lanes, and approx_along(). */
+COMMON_SEPARATE static void sizes_along(const line_lanes *restrict l, const double *restrict t, double *restrict value, double *restrict slope)
+{
+    values_along(l, t, false, value, slope);
+}
+
+COMMON_SEPARATE static void approxes_along(const line_lanes *restrict l, const double *restrict t, double *restrict value, double *restrict slope)
+{
+    values_along(l, t, true, value, slope);
 }
 
 #endif

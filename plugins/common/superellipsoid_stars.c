@@ -122,18 +122,6 @@ static void go_on(seeker *s, const known_lanes *l, uint32_t i)
     s->waits = next == ONLY && !is_any_between(n, &s->ray->k, s->at.lo, s->at.hi, s->ray->hits);
 }
 
-COMMON_SEPARATE static void sizes_along(const line_lanes *restrict l, const double *restrict t, double *restrict value,
-                                        double *restrict slope)
-{
-    values_along(l, t, false, value, slope);
-}
-
-COMMON_SEPARATE static void approxes_along(const line_lanes *restrict l, const double *restrict t, double *restrict value,
-                                           double *restrict slope)
-{
-    values_along(l, t, true, value, slope);
-}
-
 /* A step of Newton's method kept between two points. False: it is for the last bits, and they have none between them. */
 static inline bool step_between(stretch *s, double value, double slope, bool approx, double *t)
 {

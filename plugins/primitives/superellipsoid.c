@@ -177,18 +177,6 @@ static void intersect(const void *self, const pov_ray *ray, pov_hits *hits)
 
 /* ---- several rays side by side ---- */
 
-COMMON_SEPARATE static void sizes_along(const line_lanes *restrict l, const double *restrict t, double *restrict value,
-                                      double *restrict slope)
-{
-    values_along(l, t, false, value, slope);
-}
-
-COMMON_SEPARATE static void approxes_along(const line_lanes *restrict l, const double *restrict t, double *restrict value,
-                                         double *restrict slope)
-{
-    values_along(l, t, true, value, slope);
-}
-
 /* One of them: where it is, and whether that is still being looked for. `near`: about the first crossing. */
 typedef struct member { line n; common_ray k; bool open, near; } member;
 
