@@ -31,6 +31,24 @@ static inline uint64_t lane_mask_of(const uint32_t *of, uint32_t n)
     return out & lane_mask_all(n);
 }
 
+/* The first n lanes where a is below b; both have LANES_MAX entries. */
+static inline uint64_t lane_mask_below(const double *a, const double *b, uint32_t n)
+{
+    uint64_t out = 0;
+
+#if defined(__AVX512F__) && defined(__GNUC__)
+    for (uint32_t i = 0; i < n; i += 8)
+        out |= (uint64_t)_mm512_cmp_pd_mask(_mm512_loadu_pd(a + i), _mm512_loadu_pd(b + i), _CMP_LT_OQ) << i;
+#elif defined(__AVX2__) && defined(__GNUC__)
+    for (uint32_t i = 0; i < n; i += 4)
+        out |= (uint64_t)(uint32_t)_mm256_movemask_pd(_mm256_cmp_pd(_mm256_loadu_pd(a + i), _mm256_loadu_pd(b + i), _CMP_LT_OQ)) << i;
+#else
+    for (uint32_t i = 0; i < n; i++)
+        out |= (uint64_t)(a[i] < b[i]) << i;
+#endif
+    return out & lane_mask_all(n);
+}
+
 static inline uint32_t lane_mask_count(uint64_t lanes)
 {
     uint32_t n = 0;

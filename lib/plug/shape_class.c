@@ -43,6 +43,7 @@ static void fill_fast(shape_class *out, const pov_shape_fast *from)
     out->normal_at_many = f.normal_at_many;
     out->cross_sure = f.cross_sure;
     out->ring = f.ring;
+    out->block_bounds = f.block_bounds;
 }
 
 void shape_class_fill(shape_class *out, const pov_shape_class *from)
@@ -80,6 +81,8 @@ static const char *check_fast(const pov_shape_fast *f)
         return "a shape's fast extension is shorter than its first version";
     if (f->block_filter && (!f->block_pack || f->block_size == 0))
         return "a shape class has a block filter without block_pack or block_size";
+    if (REACHES(f, pov_shape_fast, block_bounds) && f->block_bounds && !f->block_filter)
+        return "a shape class has bounds of blocks without block_filter";
     if (f->single_block_size > f->block_size)
         return "a shape class has a larger block for one shape than for several";
     return NULL;

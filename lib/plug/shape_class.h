@@ -50,6 +50,7 @@ typedef struct shape_class {
     void (*normal_at_many)(const void *const *selves, const pov_vec3 *const *points, pov_vec3 *const *out, uint32_t n);
     uint64_t (*cross_sure)(const void *const *selves, const pov_ray *const *rays, pov_crossing *const *at, pov_contact *const *contacts, uint32_t n);
     bool (*ring)(const void *self, double radii[2]);
+    void (*block_bounds)(const void *block, uint32_t lane, const pov_rays *rays, uint64_t lanes, double *lo, double *hi);
 } shape_class;
 
 /* Complete a class that shape_class_check() has accepted. */

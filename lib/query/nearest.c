@@ -31,21 +31,19 @@ static void ask_one(packet *p, uint32_t i, const leaf_batch *r, uint32_t lane)
 }
 
 /* A deferred shape that is now excluded is dropped; any other is intersected before the next one is deferred. */
-static void defer(packet *p, const leaf_batch *r, const pov_candidate *m)
+static inline void defer(packet *p, const leaf_batch *r, uint32_t i, uint32_t lane, double lo, double hi, uint32_t note)
 {
-    const uint32_t i = m->ray;
     deferred *d = &p->deferred[i];
 
-    if (m->hi < p->traversal.limit[i])
-        lower(p, i, m->hi);
+    if (hi < p->traversal.limit[i])
+        lower(p, i, hi);
     if ((p->deferred_lanes & bit_of(i)) && !is_beyond(p, i, d->lo))
         ask_one(p, i, d->batch, d->lane);
     d->batch = r;
-    d->lane = m->lane;
-    d->lo = m->lo;
-    d->note = m->note;
+    d->lane = lane;
+    d->lo = lo;
+    d->note = note;
     p->deferred_lanes |= bit_of(i);
-    SIMD_PREFETCH(leaf_batch_instance(r, m->lane));
 }
 
 /* Possible hits of one shape, so that no ray occurs twice. */
@@ -64,11 +62,10 @@ static void ask_open(packet *p, const leaf_batch *r, pairs *open, const xform_ba
 /* Is it a batch of one shape, which takes several rays side by side? */
 static inline bool takes_several(const leaf_batch *r) { return r->count == 1 && r->shape->intersect_many; }
 
-/* Most leaves are one batch, and this is most of what is done with them. */
-SIMD_INLINE void filter(packet *p, const leaf_batch *r, uint64_t lanes)
+/* The first n candidates. */
+SIMD_INLINE void take(packet *p, const leaf_batch *r, uint32_t n)
 {
     const pov_candidate *m = p->candidates;
-    uint32_t n = leaf_batch_filter(r, p->traversal.in, &p->traversal.soa, lanes, p->candidates);
     uint8_t open_lanes[WORLD_MANY];
     xform_batch instanced;
     pairs open;
@@ -83,7 +80,8 @@ SIMD_INLINE void filter(packet *p, const leaf_batch *r, uint64_t lanes)
             continue;
         /* The filter does not know the root that a ray starts on. */
         if (m->definite && !left && (r->plain >> m->lane & 1)) {
-            defer(p, r, m);
+            defer(p, r, m->ray, m->lane, m->lo, m->hi, m->note);
+            SIMD_PREFETCH(leaf_batch_instance(r, m->lane));
         } else if (r->flags & LEAF_INSTANCED) {
             pov_hits *hits = hits_of(p, m->ray);
 
@@ -106,6 +104,40 @@ SIMD_INLINE void filter(packet *p, const leaf_batch *r, uint64_t lanes)
     }
     if (open.count > 0)
         ask_open(p, r, &open, &instanced, open_lanes);
+}
+
+/* Shapes that are bounded by lane: what is definite needs no candidates. */
+static void filter_bounds(packet *p, const leaf_batch *r, uint64_t lanes)
+{
+    shape_bounds b;
+
+    for (uint32_t which = 0; which < r->count; which++) {
+        const uint64_t sure = r->plain >> which & 1 ? ~(uint64_t)0 : 0;
+        uint64_t open = 0;
+
+        packet_bounds(p, r, which, lanes, &b);
+        for (; b.maybe; b.maybe &= b.maybe - 1) {
+            const uint32_t i = first_of64(b.maybe);
+
+            if (p->rays[i]->origin_surface == r->object[which])
+                continue;
+            if (b.definite & sure & bit_of(i))
+                defer(p, r, i, which, b.lo[i], b.hi[i], 0);
+            else
+                open |= bit_of(i);
+        }
+        if (open)
+            take(p, r, packet_put_bounds(p, &b, which, open, 0));
+    }
+}
+
+/* Most leaves are one batch, and this is most of what is done with them. */
+SIMD_INLINE void filter(packet *p, const leaf_batch *r, uint64_t lanes)
+{
+    if (packet_has_bounds(r, lanes))
+        filter_bounds(p, r, lanes);
+    else
+        take(p, r, leaf_batch_filter(r, p->traversal.in, &p->traversal.soa, lanes, p->candidates));
 }
 
 /* The same for several lanes and one shape of a batch whose class takes rays side by side. */

@@ -189,16 +189,52 @@ static bool any_open(const packet *p, const leaf_batch *r, const pov_candidate *
 /* Planes have one crossing, whatever is wanted of them. */
 static bool takes_several(const shape_class *shape) { return shape == &csg_class || (shape->intersect_many && shape->half_space); }
 
+/* The lanes of a batch whose definite hits block light. */
+static uint32_t blocking_of(const packet *p, const leaf_batch *r) { return casts_of(p, r) & r->plain & (p->any_blocks ? ~0u : r->opaque); }
+
+/* Find candidates of shapes that are bounded by lane, but for rays that start on them. Adds lanes whose light is blocked to `ended`. */
+static uint32_t find_bounded(packet *p, const leaf_batch *r, uint64_t lanes, uint64_t *ended)
+{
+    const uint32_t blocking = blocking_of(p, r);
+    shape_bounds b;
+    uint32_t n = 0;
+
+    for (uint32_t which = 0; which < r->count && lanes; which++) {
+        const uint64_t blocks = blocking >> which & 1 ? ~(uint64_t)0 : 0;
+        uint64_t open = 0, blocked = 0;
+
+        if (!casts_at(p, r, which) || r->object[which] == p->left)
+            continue;
+        packet_bounds(p, r, which, lanes, &b);
+        for (b.definite &= blocks; b.maybe; b.maybe &= b.maybe - 1) {
+            const uint64_t bit = b.maybe & -b.maybe;
+
+            if (origin_of(p, first_of64(b.maybe)) != r->object[which])
+                *(b.definite & bit ? &blocked : &open) |= bit;
+        }
+        lanes &= ~blocked;
+        *ended |= blocked;
+        n = packet_put_bounds(p, &b, which, open, n);
+    }
+    return n;
+}
+
+static uint32_t find_candidates(packet *p, const leaf_batch *r, uint64_t lanes, uint64_t *ended)
+{
+    const uint32_t n = leaf_batch_filter(r, p->traversal.in, &p->traversal.soa, lanes, p->candidates), blocking = blocking_of(p, r);
+
+    for (uint32_t i = 0; i < n; i++)
+        *ended |= (uint64_t)is_blocked(p, r, &p->candidates[i], blocking) << p->candidates[i].ray;
+    return n;
+}
+
 static uint64_t filter(packet *p, const leaf_batch *r, uint64_t lanes)
 {
     const pov_candidate *const m = p->candidates;
-    const uint32_t n = leaf_batch_filter(r, p->traversal.in, &p->traversal.soa, lanes, p->candidates);
-    const uint32_t blocking = casts_of(p, r) & r->plain & (p->any_blocks ? ~0u : r->opaque);
     uint64_t ended = 0;
+    const uint32_t n = packet_has_bounds(r, lanes) ? find_bounded(p, r, lanes, &ended) : find_candidates(p, r, lanes, &ended);
     uint32_t i;
 
-    for (i = 0; i < n; i++)
-        ended |= (uint64_t)is_blocked(p, r, &m[i], blocking) << m[i].ray;
     if (p->by_lane) {
         if (!any_open(p, r, m, n, ended))
             return ended;

@@ -1,5 +1,7 @@
 #include "query/packet.h"
 
+#include "base/lane_mask.h"
+
 static void begin(packet *p, const world *w, query_context *k, double tmax)
 {
     p->traversal.tree = &w->tree;
@@ -71,6 +73,35 @@ uint64_t packet_traverse(packet *p, bvh_traverse_fn *traverse, bool nearest)
         ended |= (nearest ? w->kernels->nearest_single : w->kernels->any_single)(t);
     t->lanes = all;
     return ended;
+}
+
+/* ---- shapes of one crossing ---- */
+
+void packet_bounds(const packet *p, const leaf_batch *r, uint32_t which, uint64_t lanes, shape_bounds *out)
+{
+    static const double zero[WORLD_MANY];
+    const double *const tmax = p->traversal.soa.tmax;
+    const uint32_t n = p->traversal.count;
+
+    r->shape->block_bounds(leaf_batch_block(r), which, &p->traversal.soa, lanes, out->lo, out->hi);
+    out->maybe = lanes & ~lane_mask_below(tmax, out->lo, n) & ~lane_mask_below(out->hi, zero, n);
+    out->definite = out->maybe & lane_mask_below(zero, out->lo, n) & lane_mask_below(out->hi, tmax, n);
+}
+
+uint32_t packet_put_bounds(packet *p, const shape_bounds *of, uint32_t which, uint64_t lanes, uint32_t n)
+{
+    for (; lanes; lanes &= lanes - 1, n++) {
+        const uint32_t i = first_of64(lanes);
+        pov_candidate *out = &p->candidates[n];
+
+        out->lo = of->lo[i];
+        out->hi = of->hi[i];
+        out->ray = (uint8_t)i;
+        out->lane = (uint8_t)which;
+        out->definite = (of->definite >> i & 1) != 0;
+        out->definite_pair = false;
+    }
+    return n;
 }
 
 /* ---- shapes and rays that are asked side by side ---- */

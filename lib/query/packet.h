@@ -127,6 +127,25 @@ static inline void packet_begin_hits(const packet *p, uint32_t i, pov_hits *hits
     hits_begin(hits, &p->context->hit_buffers[p->of[i]], p->tmax, want, at);
 }
 
+/* ---- shapes of one crossing ---- */
+
+/* By lane: no crossing of a shape is outside lo to hi. maybe: lanes whose crossing may be within their interval; definite: it is there. */
+typedef struct shape_bounds {
+    SIMD_ALIGNED double lo[WORLD_MANY], hi[WORLD_MANY];
+    uint64_t maybe, definite;
+} shape_bounds;
+
+/* Does a batch bound its shapes' crossings by lane? */
+static inline bool packet_has_bounds(const leaf_batch *r, uint64_t lanes)
+{
+    return r->shape->block_bounds && (r->flags & (LEAF_PACKED | LEAF_INSTANCED | LEAF_RESERVED)) == (LEAF_PACKED | LEAF_RESERVED) &&
+           (lanes & (lanes - 1)) != 0;
+}
+
+void packet_bounds(const packet *p, const leaf_batch *r, uint32_t which, uint64_t lanes, shape_bounds *out);
+/* Candidates of some of those lanes, from p->candidates[n] on. Returns how many there are then. */
+uint32_t packet_put_bounds(packet *p, const shape_bounds *of, uint32_t which, uint64_t lanes, uint32_t n);
+
 /* ---- a query ---- */
 
 /* Divide those of the first n rays that `which` selects into groups. Returns the number of groups. */

@@ -328,3 +328,17 @@ uint32_t common_quadric_filter(const void *block, const uint32_t *owners, const 
     (void)owners;
     return filter(block, rays, lanes, out);
 }
+
+COMMON_CLONES static void bound_plane(const common_quadric_block *s, uint32_t lane, const pov_rays *rays, uint64_t lanes, double *restrict lo,
+                                      double *restrict hi)
+{
+    const plane p = plane_of(s, lane);
+
+    for (uint32_t from = 0; from < POV_RAYS_MAX && lanes >> from; from += TOGETHER)
+        filter_together(&p, rays, from, lo + from, hi + from);
+}
+
+void common_plane_bounds(const void *block, uint32_t lane, const pov_rays *rays, uint64_t lanes, double *lo, double *hi)
+{
+    bound_plane(block, lane, rays, lanes, lo, hi);
+}

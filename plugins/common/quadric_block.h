@@ -18,5 +18,7 @@ typedef struct common_quadric_block {
 /* selves: common_second_orders. False: out of range. */
 bool common_quadric_pack(void *block, const pov_frame *frame, const void *const *selves, uint32_t n);
 uint32_t common_quadric_filter(const void *block, const uint32_t *owners, const pov_rays *rays, uint64_t lanes, pov_candidate *out);
+/* block_bounds() of planes. */
+void common_plane_bounds(const void *block, uint32_t lane, const pov_rays *rays, uint64_t lanes, double *lo, double *hi);
 
 #endif

@@ -57,6 +57,7 @@ static const pov_shape_fast plane_fast = {
     .half_space = common_quadric_half_space,
     .outline = common_quadric_outline,
     .cross_sure = common_plane_cross_sure,
+    .block_bounds = common_plane_bounds,
 };
 
 static const void *extension(const char *name) { return common_is_fast(name) ? &plane_fast : NULL; }

@@ -87,6 +87,7 @@ static void the_fast_extension_stays_as_its_name_says(void **state)
     AT(pov_candidate, definite_pair, 19);
     AT(pov_shape_fast, block_filter, 32);
     AT(pov_shape_fast, ellipsoid, 64);
+    AT(pov_shape_fast, block_bounds, 152);
     AT(pov_ellipsoid, row, 48);
     AT(pov_rays, inverse, 4608);
     AT(pov_rays, tmax, 6144);

@@ -402,6 +402,36 @@ static int wrong_sure(const pov_candidate *candidates, uint32_t count, const thi
     return wrong;
 }
 
+/* Does a ray that starts on the thing cross it? */
+static bool is_left_open(const thing *t, pov_ray ray, double tmax)
+{
+    pov_crossing at;
+    pov_hits hits = subject_nearest(tmax, &at);
+
+    ray.origin_surface = hits.owner;
+    subject.shape->intersect(t->self, &ray, &hits);
+    return hits.count > 0;
+}
+
+/* The bounds by lane, of shapes with one crossing, as a host takes them. */
+static int wrong_bounds(const void *block, const thing *const *things, uint32_t n, const pov_rays *rays, const pov_ray *ray, uint64_t lanes)
+{
+    double lo[POV_RAYS_MAX], hi[POV_RAYS_MAX];
+    int wrong = 0;
+
+    for (uint32_t k = 0; k < n; k++) {
+        subject.shape->block_bounds(block, k, rays, lanes, lo, hi);
+        for (uint32_t i = 0; i < POV_RAYS_MAX; i++) {
+            const double tmax = rays->tmax[i];
+            const pov_candidate m = { .lo = lo[i], .hi = hi[i], .definite = lo[i] > 0.0 && hi[i] < tmax };
+
+            if (lanes >> i & 1)
+                wrong += !is_right(lo[i] > tmax || hi[i] < 0.0 ? NULL : &m, things[k], &ray[i], tmax) || is_left_open(things[k], ray[i], tmax);
+        }
+    }
+    return wrong;
+}
+
 /* Rays at some things; how many of the answers are wrong. */
 static int wrong_answers(const void *block, const pov_frame *frame, const thing *const *things, uint32_t n, int *seen)
 {
@@ -434,6 +464,8 @@ static int wrong_answers(const void *block, const pov_frame *frame, const thing 
     }
     if (HAS(cross_many))
         broken += wrong_crossings(candidates, count, things, ray, rays.tmax);
+    if (HAS(block_bounds))
+        broken += wrong_bounds(block, things, n, &rays, ray, lanes);
     if (HAS(cross_sure))
         broken += wrong_sure(candidates, count, things, ray, rays.tmax);
     for (i = 0; i < POV_RAYS_MAX; i++)

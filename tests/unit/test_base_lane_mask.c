@@ -2,6 +2,8 @@
 #include "base/lane_mask.h"
 #include "support/check.h"
 
+#include <math.h>
+
 /* Lanes behind the last one are ones that must not count. */
 static uint64_t fill(uint32_t of[LANES_MAX], uint32_t n, uint64_t bits)
 {
@@ -20,6 +22,26 @@ static void a_mask_has_the_ones_of_the_first_lanes(void **state)
         const uint64_t wanted = fill(of, n, bits);
 
         assert_true(lane_mask_of(of, n) == wanted);
+    }
+}
+
+/* No number is below one that is none, or the other way round. */
+static void lanes_below_others_are_told(void **state)
+{
+    static const double some[] = { 0.0, -0.0, 1.0, -1.0, HUGE_VAL, -HUGE_VAL, NAN, 0x1p-1074 };
+    double a[LANES_MAX], b[LANES_MAX];
+    (void)state;
+
+    for (uint32_t i = 0; i < LANES_MAX; i++) {
+        a[i] = some[i % 8];
+        b[i] = some[i / 8];
+    }
+    for (uint32_t n = 0; n <= LANES_MAX; n++) {
+        const uint64_t found = lane_mask_below(a, b, n);
+
+        assert_true((found & ~lane_mask_all(n)) == 0);
+        for (uint32_t i = 0; i < n; i++)
+            assert_int_equal(found >> i & 1, a[i] < b[i]);
     }
 }
 
@@ -54,6 +76,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_mask_has_the_ones_of_the_first_lanes),
+        cmocka_unit_test(lanes_below_others_are_told),
         cmocka_unit_test(a_list_names_the_lanes_of_a_mask_in_order),
         cmocka_unit_test(all_lanes_of_none_are_none),
     };

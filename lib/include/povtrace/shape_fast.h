@@ -130,6 +130,10 @@ typedef struct pov_shape_fast {
     /* [load] [render] Is it all that lies at most radii[1] from a circle of the radius radii[0] around the y axis of its own space, and
      * its surface where that ends? Radii may be rounded, as an outline is. */
     bool (*ring)(const void *self, double radii[2]);
+    /* [render] For classes whose shapes have one crossing with a ray, and none with one that starts on them: bounds on it for shape `lane` of a
+     * block, for each ray that has a bit in `lanes`, all of which block_filter() may be asked for. It is not outside lo[i] to hi[i], and it is
+     * there if 0 < lo[i]. lo and hi have POV_RAYS_MAX entries; entries of other rays may be written. */
+    void (*block_bounds)(const void *block, uint32_t lane, const pov_rays *rays, uint64_t lanes, double *lo, double *hi);
 } pov_shape_fast;
 
 #endif
