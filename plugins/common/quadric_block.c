@@ -199,8 +199,9 @@ static inline bounds filter_plane(const plane *p, double ox, double oy, double o
                                 0.5 * p->c);
     const double c_error = ERROR_UNIT * common_sum_of(p->half1, far + p->reach, 0.5 * p->sum0);
     const double c = b < 0.0 ? -half_c : half_c, down = -c - c_error, up = c_error - c;
-    const double least = fabs(b) - b_error, most = fabs(b) + b_error;
-    const double most_inverse = 1.0 / least, least_inverse = 1.0 / most;
+    /* (b - e) / (b + e) is more than 1 - 2 e / (b - e), and by half a part more the roundings of this do not count. */
+    const double least = fabs(b) - b_error, most_inverse = 1.0 / least;
+    const double least_inverse = most_inverse * (1.0 - 2.5 * b_error * most_inverse);
     const double lo = common_lesser(down * most_inverse, down * least_inverse);
     const double hi = common_greater(up * most_inverse, up * least_inverse);
     const bool is_transparent = (least > 0.0) & (far < 1e60);
