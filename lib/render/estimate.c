@@ -55,18 +55,20 @@ static void band_of_nothing(pov_pass *row, double fewest)
     row->est_ci95_hi = fmin(3.0 / fewest, 1.0);
 }
 
-static void add_group(sums *s, const cells *c, size_t number, size_t pixels, pov_pass *row)
+/* Returns the samples of the group's pixels, of which there are so many. */
+static size_t add_group(sums *s, const cells *c, size_t number, size_t pixels, pov_pass *row)
 {
     const group *g = &c->groups[number];
     const uint32_t fewest = cells_fewest(c, number);
+    const size_t samples = c->singles ? cells_samples(c, number) : pixels * g->count;
 
     if (pixels == 0)
-        return;
-    s->samples += (double)cells_samples(c, number);
+        return 0;
     s->known = s->known && fewest > 1;
     s->whole = s->whole && fewest > 0;
     row->clipped += g->clipped;
     row->spp_max = (int)g->count > row->spp_max ? (int)g->count : row->spp_max;
+    return samples;
 }
 
 static void add_shown(sums *s, const showing *g, pov_pass *row)
@@ -82,10 +84,10 @@ static void add_cell(sums *s, const cells *c, int column, int line, double limit
     const size_t i = (size_t)line * (size_t)c->columns + (size_t)column, first = GROUPS * i;
     const pov_rect r = cells_rect(c, column, line);
     const size_t pixels = (size_t)r.width * (size_t)r.height, second = pixels / 2;
+    const double samples = (double)(add_group(s, c, first, pixels - second, row) + add_group(s, c, first + 1, second, row));
 
-    add_group(s, c, first, pixels - second, row);
-    add_group(s, c, first + 1, second, row);
-    s->fewest = fmin(s->fewest, (double)(cells_samples(c, first) + cells_samples(c, first + 1)));
+    s->samples += samples;
+    s->fewest = samples < s->fewest ? samples : s->fewest;
     if (!c->shown)
         return;
     add_shown(s, &c->shown[first], row);

@@ -249,6 +249,27 @@ static double spend(worker *w)
     return spent;
 }
 
+/* What the thread spent on the job's present picture. The lock is held. */
+static void add_spent(pov_job *job, worker *w)
+{
+    const double spent = spend(w);
+
+    if (w->claim.generation == job->generation)
+        job->cpu += spent;
+}
+
+/* After a tile. Small ones are asked for together, until their pass ends or the thread has nothing to do. */
+static void add_spent_now_and_then(pov_job *job, worker *w)
+{
+    static const double least = 1e-4;
+    const double now = clock_seconds();
+
+    if (now - w->asked < least && job->committed + 1 < job->due && !w->meter)
+        return;
+    w->asked = now;
+    add_spent(job, w);
+}
+
 /* Trace the claimed tile, and commit it unless the job was restarted meanwhile. */
 static void work(pov_job *job, worker *w)
 {
@@ -256,7 +277,6 @@ static void work(pov_job *job, worker *w)
     pov_counts fresh = { 0 };
     class_counts classes = { 0 };
     bool whole = false, tell = false;
-    double spent;
 
     if (worker_prepare(w, job->scene, ask_whether_to_give_up, &error) == POV_OK) {
         whole = trace(job, w);
@@ -265,10 +285,8 @@ static void work(pov_job *job, worker *w)
         if (w->tracer->context.failed)
             tracer_error(w->tracer, &error);
     }
-    spent = spend(w);
     mutex_lock(&job->lock);
-    if (w->claim.generation == job->generation)
-        job->cpu += spent;
+    add_spent_now_and_then(job, w);
     if (is_current(job, &w->claim)) {
         if (error.status < 0) {
             fail(job, &error);
@@ -349,6 +367,7 @@ static void *run(void *user)
     while (!job->closing) {
         passes_expire(job);
         if (!has_work(job)) {
+            add_spent(job, w);
             condition_wait(&job->changed, &job->lock);
             continue;
         }
@@ -424,6 +443,7 @@ pov_job_state job_step(pov_job *job)
     mutex_unlock(&job->lock);
     if (working) {
         spend(w);
+        w->asked = 0.0;          /* the next tile may be another thread's */
         work(job, w);
     }
     if (w)

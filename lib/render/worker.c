@@ -97,7 +97,8 @@ static void number_samples(const worker *w, const settings *s, packet *c)
 
 static void trace_packet(worker *w, const settings *s, packet *c)
 {
-    colour seen[BATCH_MAX];
+    const uint32_t n = c->count;
+    colour seen[BATCH_MAX + 1];      /* four numbers are copied where the last one's three are */
     float alpha[BATCH_MAX];
     unsigned known;
 
@@ -111,10 +112,9 @@ static void trace_packet(worker *w, const settings *s, packet *c)
     known = raygen_cast(w->job->scene->model, &w->claim.camera, &c->through, c->count, c->rays);
     tracer_colors(w->tracer, c->rays, c->count, known, c->samples, seen, s->alpha ? alpha : NULL);
     w->tracer->context.lent = NULL;
-    for (uint32_t i = 0; i < c->count; i++) {
-        const float at[4] = { seen[i].r, seen[i].g, seen[i].b, 1.0f };
-
-        memcpy(c->out[i], at, sizeof at);
+    for (uint32_t i = 0; i < n; i++) {
+        memcpy(c->out[i], (const char *)seen + i * sizeof *seen, 4 * sizeof *c->out[i]);
+        c->out[i][3] = 1.0f;
     }
     for (uint32_t i = 0; s->alpha && i < c->count; i++)
         c->out[i][3] = alpha[i];

@@ -33,7 +33,7 @@ typedef struct worker {
     bool lends;                  /* they do */
     meter *meter;                /* the job allocates and frees it; NULL: not requested */
     pov_counts counted;          /* counts of the tracer that earlier tiles have already added */
-    double spent;                /* seconds of its thread that were already added */
+    double spent, asked;         /* seconds of its thread that were already added, and when that was */
     struct worker *next_free;    /* next in the job's list of idle workers */
 } worker;
 
