@@ -261,10 +261,10 @@ static void add_spent(pov_job *job, worker *w)
 /* After a tile. Small ones are asked for together, until their pass ends or the thread has nothing to do. */
 static void add_spent_now_and_then(pov_job *job, worker *w)
 {
-    static const double least = 1e-4;
+    static const double microseconds = 1e6, least = 100.0;
     const double now = clock_seconds();
 
-    if (now - w->asked < least && job->committed + 1 < job->due && !w->meter)
+    if (microseconds * (now - w->asked) < least && job->committed + 1 < job->due && !w->meter)
         return;
     w->asked = now;
     add_spent(job, w);
