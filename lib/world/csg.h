@@ -151,7 +151,7 @@ bool csg_find_bounds(csg_tree *t, const env *e, const csg_source *source);
 void csg_find_chords(csg_tree *t);
 /* Or is it one surface that convex solids clip? */
 void csg_find_clipped(csg_tree *t);
-/* Or is it one of few members in a box, whose crossings outlines may tell; or, of some that hold it, whether a ray may meet it? */
+/* Or is it one of few members, whose crossings outlines may tell; or, of some that hold it, whether a ray may meet it? */
 bool csg_is_small(const csg_tree *t);
 /* Once members have instances: which of them are one surface? False: no memory. */
 bool csg_find_same(csg_tree *t, const env *e);

@@ -6,8 +6,6 @@
 
 enum { GROUPS = POV_RAYS_MAX / CSG_TOGETHER };
 
-static const double margin = CSG_OUTLINE_MARGIN;
-
 /* ---- rays ---- */
 
 SIMD_INLINE void come_near(const csg_outline *of, const pov_rays *restrict rays, uint32_t first, uint32_t n,
@@ -20,6 +18,7 @@ SIMD_INLINE void come_near(const csg_outline *of, const pov_rays *restrict rays,
         const uint32_t k = first + i;
         const double x = (rays->org[0][k] - centre.x) * per_size, y = (rays->org[1][k] - centre.y) * per_size,
             z = (rays->org[2][k] - centre.z) * per_size, per_length = rays->per_length[k];
+        const double from = csg_greater(csg_greater(fabs(x), fabs(y)), fabs(z));
         const double dx = rays->dir[0][k] * per_length, dy = rays->dir[1][k] * per_length, dz = rays->dir[2][k] * per_length;
         const double start = x * dx + y * dy + z * dz, px = x - dx * start, py = y - dy * start, pz = z - dz * start;
 
@@ -32,7 +31,8 @@ SIMD_INLINE void come_near(const csg_outline *of, const pov_rays *restrict rays,
         out->of[CSG_NEAR_SQUARE][i] = px * px + py * py + pz * pz;
         out->of[CSG_NEAR_START][i] = start;
         out->of[CSG_NEAR_PER_UNIT][i] = per_length * size;
-        out->of[CSG_NEAR_OPEN][i] = csg_greater(csg_greater(fabs(x), fabs(y)), fabs(z)) < CSG_FARTHEST ? 0.0 : 1.0;
+        out->of[CSG_NEAR_FROM][i] = 1.0 + from;
+        out->of[CSG_NEAR_OPEN][i] = from < CSG_FARTHEST ? 0.0 : 1.0;
     }
 }
 
@@ -69,12 +69,40 @@ static uint32_t within_of(const csg_tree *t)
     return t->chords.all ? t->chords.within : box | of->within;
 }
 
+SIMD_INLINE void find_never(const csg_tree *t, bool endless, const double *restrict most, csg_near_rays *restrict k, double *restrict passed,
+                            double *restrict lo)
+{
+    SIMD_ALIGNED csg_lane enter, leave;
+
+    for (uint32_t i = 0; i < CSG_TOGETHER; i++) {
+        enter[i] = -HUGE_VAL;
+        leave[i] = HUGE_VAL;
+    }
+    for (uint32_t left = within_of(t); left; left &= left - 1) {
+        const uint32_t c = first_of(left);
+
+        csg_lanes_cross(t->outline, c, c % CSG_FEW, k, endless);
+        SIMD_LOOP for (uint32_t i = 0; i < CSG_TOGETHER; i++) {
+            enter[i] = csg_greater(k->in[c % CSG_FEW][i], enter[i]);
+            leave[i] = csg_lesser(k->out[c % CSG_FEW][i], leave[i]);
+        }
+    }
+    SIMD_LOOP for (uint32_t i = 0; i < CSG_TOGETHER; i++) {
+        const double start = k->of[CSG_NEAR_START][i], last = csg_greater(enter[i], start), beside = last - leave[i];
+        const double near = csg_lanes_near(k, i, last, endless), from = (enter[i] - start - near) * k->of[CSG_NEAR_PER_UNIT][i];
+        const double never = beside > near ? 1.0 : from > most[i] ? 1.0 : endless && last == HUGE_VAL ? 1.0 : 0.0;
+
+        passed[i] = k->of[CSG_NEAR_OPEN][i] > 0.0 ? 0.0 : never;
+        lo[i] = k->of[CSG_NEAR_OPEN][i] > 0.0 ? 0.0 : csg_greater(from, 0.0);
+    }
+}
+
 /* Rays that are never within all members that are no complements, ahead and before their end, certainly pass the tree. Others do not
  * cross it before `lo`. */
 SIMD_CLONES SIMD_NOINLINE static void find_passing(const csg_tree *t, const pov_rays *restrict rays, uint32_t first, uint32_t n,
                                      csg_near_rays *restrict k, double *restrict passed, double *restrict lo)
 {
-    SIMD_ALIGNED csg_lane enter, leave, most;
+    SIMD_ALIGNED csg_lane most;
 
     come_near(t->outline, rays, first, n, k);
     for (uint32_t i = 0; i < n; i++)
@@ -83,27 +111,10 @@ SIMD_CLONES SIMD_NOINLINE static void find_passing(const csg_tree *t, const pov_
         repeat(k);
         memcpy(most + n, most, sizeof most / 2);
     }
-    for (uint32_t i = 0; i < CSG_TOGETHER; i++) {
-        enter[i] = -HUGE_VAL;
-        leave[i] = HUGE_VAL;
-    }
-    for (uint32_t left = within_of(t); left; left &= left - 1) {
-        const uint32_t c = first_of(left);
-
-        csg_lanes_cross(t->outline, c, c % CSG_FEW, k);
-        SIMD_LOOP for (uint32_t i = 0; i < CSG_TOGETHER; i++) {
-            enter[i] = csg_greater(k->in[c % CSG_FEW][i], enter[i]);
-            leave[i] = csg_lesser(k->out[c % CSG_FEW][i], leave[i]);
-        }
-    }
-    SIMD_LOOP for (uint32_t i = 0; i < CSG_TOGETHER; i++) {
-        const double start = k->of[CSG_NEAR_START][i], beside = csg_greater(enter[i], start) - leave[i];
-        const double from = (enter[i] - start - margin) * k->of[CSG_NEAR_PER_UNIT][i];
-        const double never = beside > margin ? 1.0 : from > most[i] ? 1.0 : 0.0;
-
-        passed[i] = k->of[CSG_NEAR_OPEN][i] > 0.0 ? 0.0 : never;
-        lo[i] = k->of[CSG_NEAR_OPEN][i] > 0.0 ? 0.0 : csg_greater(from, 0.0);
-    }
+    if (t->outline->endless)
+        find_never(t, true, most, k, passed, lo);
+    else
+        find_never(t, false, most, k, passed, lo);
 }
 
 /* ---- candidates ---- */
@@ -211,6 +222,9 @@ static uint32_t filter(const csg_tree *t, const pov_rays *rays, uint64_t lanes, 
     return found;
 }
 
+/* Does a table tell what happens at each crossing? */
+static bool has_table(const csg_tree *t) { return t->outline->values && !t->clipped.outlined; }
+
 /* What is clipped, and what has many members, is left to csg_intersect() where the columns that hold it do not tell. */
 static uint32_t filter_passing(const csg_tree *t, const pov_rays *rays, uint64_t lanes, uint32_t which, pov_candidate *out)
 {
@@ -252,12 +266,12 @@ uint32_t csg_filter(const void *block, const uint32_t *owners, const pov_rays *r
     for (uint32_t which = 0; which < b->count; which++) {
         const csg_tree *t = b->tree[which];
 
-        if ((lanes & (lanes - 1)) == 0 || !t->outline || !within_of(t))
+        if ((lanes & (lanes - 1)) == 0 || !t->outline || !(within_of(t) || has_table(t)))
             n += decline(lanes, which, out + n);
-        else if (t->clipped.outlined || !(t->chords.all || t->outline->boxed))
-            n += filter_passing(t, rays, lanes, which, out + n);
-        else
+        else if (t->chords.all || has_table(t))
             n += filter(t, rays, lanes, which, out + n);
+        else
+            n += filter_passing(t, rays, lanes, which, out + n);
     }
     return n;
 }

@@ -8,10 +8,11 @@
 enum { CSG_TOGETHER = 8 };
 typedef double csg_lane[CSG_TOGETHER];
 
-/* Rays as near_ray, and by column where each is inside that; CSG_NEAR_OPEN: a number other than 0 where that is not known. */
+/* Rays as near_ray, and by column where each is inside that; CSG_NEAR_FROM: how far the start is from the middle, and more than one;
+ * CSG_NEAR_OPEN: a number other than 0 where all that is not known. */
 enum {
-    CSG_NEAR_AT, CSG_NEAR_ALONG = CSG_NEAR_AT + 3, CSG_NEAR_SQUARE = CSG_NEAR_ALONG + 3, CSG_NEAR_START, CSG_NEAR_PER_UNIT, CSG_NEAR_OPEN,
-    CSG_NEAR_NUMBERS
+    CSG_NEAR_AT, CSG_NEAR_ALONG = CSG_NEAR_AT + 3, CSG_NEAR_SQUARE = CSG_NEAR_ALONG + 3, CSG_NEAR_START, CSG_NEAR_PER_UNIT, CSG_NEAR_FROM,
+    CSG_NEAR_OPEN, CSG_NEAR_NUMBERS
 };
 typedef struct SIMD_ALIGNED csg_near_rays {
     csg_lane of[CSG_NEAR_NUMBERS], in[CSG_FEW], out[CSG_FEW];
@@ -60,20 +61,28 @@ SIMD_INLINE void csg_lanes_narrow(csg_stretch s, uint32_t column, uint32_t i, cs
     io->of[CSG_NEAR_OPEN][i] = csg_greater(s.open, io->of[CSG_NEAR_OPEN][i]);
 }
 
-SIMD_INLINE void csg_lanes_cross_slab(const double *restrict number, uint32_t column, csg_near_rays *restrict k)
+/* Crossings nearer than that to a place cannot be told from it. */
+SIMD_INLINE double csg_lanes_near(const csg_near_rays *restrict k, uint32_t i, double at, bool endless)
 {
-    SIMD_LOOP for (uint32_t i = 0; i < CSG_TOGETHER; i++)
-        csg_lanes_narrow(csg_cross_slab(number, csg_near_at(k, i), csg_near_along(k, i), CSG_LEAST_HEIGHT), column, i, k);
+    return endless ? CSG_OUTLINE_MARGIN * (k->of[CSG_NEAR_FROM][i] + fabs(at)) : CSG_OUTLINE_MARGIN;
 }
 
-SIMD_INLINE void csg_lanes_cross_quadric(const double *restrict of, uint32_t column, csg_near_rays *restrict k)
+SIMD_INLINE void csg_lanes_cross_slab(const double *restrict number, uint32_t column, csg_near_rays *restrict k, bool endless)
+{
+    const double least = endless ? HUGE_VAL : CSG_LEAST_HEIGHT;
+
+    SIMD_LOOP for (uint32_t i = 0; i < CSG_TOGETHER; i++)
+        csg_lanes_narrow(csg_cross_slab(number, csg_near_at(k, i), csg_near_along(k, i), least), column, i, k);
+}
+
+SIMD_INLINE void csg_lanes_cross_quadric(const double *restrict of, uint32_t column, csg_near_rays *restrict k, bool endless)
 {
     double number[CSG_FOUR * CSG_QUADRIC_NUMBERS];
 
     for (uint32_t i = 0; i < CSG_QUADRIC_NUMBERS; i++)
         number[CSG_FOUR * i] = of[CSG_FOUR * i];
     SIMD_LOOP for (uint32_t i = 0; i < CSG_TOGETHER; i++) {
-        csg_stretch s = csg_cross_quadric(number, csg_near_at(k, i), csg_near_along(k, i), 1.0);
+        csg_stretch s = csg_cross_quadric(number, csg_near_at(k, i), csg_near_along(k, i), endless ? k->of[CSG_NEAR_FROM][i] : 1.0);
 
         s.open = s.square < 0.0 ? 1.0 : s.open;
         csg_lanes_narrow(s, column, i, k);
@@ -88,43 +97,44 @@ SIMD_INLINE void csg_lanes_cross_turned(const double *restrict number, const csg
                          column, i, k);
 }
 
-SIMD_INLINE void csg_lanes_cross_round(const csg_outline *of, uint32_t column, uint32_t to, csg_near_rays *restrict k)
+SIMD_INLINE void csg_lanes_cross_round(const csg_outline *of, uint32_t column, uint32_t to, csg_near_rays *restrict k, bool endless)
 {
     const uint32_t quadric = of->quadric[column];
     const double *restrict number = of->numbers + CSG_SLAB_NUMBERS * of->slabs + csg_number(CSG_QUADRIC_NUMBERS, quadric);
-    const csg_turned turned = of->turned ? of->turned[quadric] : (csg_turned){ .kind = CSG_NOT_TURNED };
+    const csg_turned turned = of->turned && !endless ? of->turned[quadric] : (csg_turned){ .kind = CSG_NOT_TURNED };
 
     if (turned.kind == CSG_SPHERE)
         csg_lanes_cross_turned(number, &turned, false, to, k);
     else if (turned.kind == CSG_TURNED)
         csg_lanes_cross_turned(number, &turned, true, to, k);
     else
-        csg_lanes_cross_quadric(number, to, k);
+        csg_lanes_cross_quadric(number, to, k, endless);
 }
 
 /* What is certainly missed has no ends: those of its slabs may lie where something else is crossed. */
-SIMD_INLINE void csg_lanes_leave_missed(uint32_t column, csg_near_rays *restrict k)
+SIMD_INLINE void csg_lanes_leave_missed(uint32_t column, csg_near_rays *restrict k, bool endless)
 {
     SIMD_LOOP for (uint32_t i = 0; i < CSG_TOGETHER; i++) {
-        const double in = k->in[column][i], out = k->out[column][i], missed = in - out > CSG_OUTLINE_MARGIN ? 1.0 : 0.0;
+        const double in = k->in[column][i], out = k->out[column][i];
+        const double missed = in - out > csg_lanes_near(k, i, in, endless) ? 1.0 : endless && in == HUGE_VAL ? 1.0 : 0.0;
 
         k->in[column][i] = missed > 0.0 ? HUGE_VAL : in;
         k->out[column][i] = missed > 0.0 ? -HUGE_VAL : out;
     }
 }
 
-/* Of a column, noted as the one of number `to`. */
-SIMD_INLINE void csg_lanes_cross(const csg_outline *of, uint32_t column, uint32_t to, csg_near_rays *restrict k)
+/* Of a column, noted as the one of number `to`. endless: as of the outline. */
+SIMD_INLINE void csg_lanes_cross(const csg_outline *of, uint32_t column, uint32_t to, csg_near_rays *restrict k, bool endless)
 {
     SIMD_LOOP for (uint32_t i = 0; i < CSG_TOGETHER; i++) {
         k->in[to][i] = -HUGE_VAL;
         k->out[to][i] = HUGE_VAL;
     }
     for (uint32_t slab = of->first_slab[column]; slab < of->first_slab[column + 1]; slab++)
-        csg_lanes_cross_slab(of->numbers + csg_number(CSG_SLAB_NUMBERS, slab), to, k);
+        csg_lanes_cross_slab(of->numbers + csg_number(CSG_SLAB_NUMBERS, slab), to, k, endless);
     if (of->round >> column & 1)
-        csg_lanes_cross_round(of, column, to, k);
-    csg_lanes_leave_missed(to, k);
+        csg_lanes_cross_round(of, column, to, k, endless);
+    csg_lanes_leave_missed(to, k, endless);
 }
 
 #endif

@@ -32,21 +32,33 @@ SIMD_INLINE double nearest(double in, double out, double start)
     return csg_lesser(fabs(in - out), csg_lesser(fabs(in - start), fabs(out - start)));
 }
 
-SIMD_INLINE void find_nearest(uint32_t columns, const csg_near_rays *restrict of, double *restrict least)
+/* How much farther from each other, and from the start, are the ends of a column than what is near? Ends that are not there tell nothing. */
+SIMD_INLINE double clearance(const csg_near_rays *restrict of, uint32_t c, uint32_t i, bool endless)
+{
+    const double in = of->in[c][i], out = of->out[c][i], start = of->of[CSG_NEAR_START][i];
+    const double at_start = csg_lesser(fabs(in - start), fabs(out - start)), between = fabs(in - out);
+
+    if (!endless)
+        return csg_lesser(between, at_start) - margin;
+    return csg_lesser(between - csg_lanes_near(of, i, csg_lesser(fabs(in), fabs(out)), true), at_start - csg_lanes_near(of, i, start, true));
+}
+
+SIMD_INLINE void find_clearance(uint32_t columns, const csg_near_rays *restrict of, bool endless, double *restrict least)
 {
     SIMD_LOOP for (uint32_t i = 0; i < CSG_TOGETHER; i++)
         least[i] = HUGE_VAL;
     for (uint32_t c = 0; c < columns; c++)
         SIMD_LOOP for (uint32_t i = 0; i < CSG_TOGETHER; i++)
-            least[i] = csg_lesser(nearest(of->in[c][i], of->out[c][i], of->of[CSG_NEAR_START][i]), least[i]);
+            least[i] = csg_lesser(clearance(of, c, i, endless), least[i]);
 }
 
 /* Of rays that start on a column's surface, the crossing there is behind; where it is not known which one that is all is open. */
-SIMD_INLINE void leave_column(uint32_t c, const double *restrict from, csg_near_rays *restrict io)
+SIMD_INLINE void leave_column(uint32_t c, const double *restrict from, csg_near_rays *restrict io, bool endless)
 {
     SIMD_LOOP for (uint32_t i = 0; i < CSG_TOGETHER; i++) {
         const double in = io->in[c][i], out = io->out[c][i], start = io->of[CSG_NEAR_START][i], open = io->of[CSG_NEAR_OPEN][i];
-        const double enters = fabs(in - start) <= margin ? 1.0 : 0.0, leaves = fabs(out - start) <= margin ? 1.0 : 0.0;
+        const double near = csg_lanes_near(io, i, start, endless);
+        const double enters = fabs(in - start) <= near ? 1.0 : 0.0, leaves = fabs(out - start) <= near ? 1.0 : 0.0;
         const double one = in > out ? 0.0 : enters != leaves ? 1.0 : 0.0, mine = from[i] == c ? 1.0 : 0.0, moves = mine * one;
 
         io->in[c][i] = moves > 0.0 ? enters > 0.0 ? -HUGE_VAL : HUGE_VAL : in;
@@ -57,36 +69,36 @@ SIMD_INLINE void leave_column(uint32_t c, const double *restrict from, csg_near_
 
 /* Where crossings are near the start, or near each other, all is open but for those of the surface that the ray starts on. */
 SIMD_CLONES SIMD_NOINLINE static void leave_by_name(const csg_tree *t, const pov_rays *restrict rays, const double *restrict least,
-                                                    csg_near_rays *restrict io)
+                                                    csg_near_rays *restrict io, bool endless)
 {
     SIMD_ALIGNED csg_lane from, left;
     uint32_t columns = 0;
 
     for (uint32_t i = 0; i < CSG_TOGETHER; i++) {
-        const uint32_t c = least[i] > margin ? CSG_COLUMNS : csg_lanes_column(t, rays->rays[io->ray[i]]->origin_surface);
+        const uint32_t c = least[i] > 0.0 ? CSG_COLUMNS : csg_lanes_column(t, rays->rays[io->ray[i]]->origin_surface);
 
         from[i] = c;
         columns |= 1u << c;
     }
     for (columns &= (1u << CSG_COLUMNS) - 1; columns; columns &= columns - 1)
-        leave_column(first_of(columns), from, io);
-    find_nearest(t->outline->count, io, left);
+        leave_column(first_of(columns), from, io, endless);
+    find_clearance(t->outline->count, io, endless, left);
     SIMD_LOOP for (uint32_t i = 0; i < CSG_TOGETHER; i++)
-        io->of[CSG_NEAR_OPEN][i] = left[i] > margin ? io->of[CSG_NEAR_OPEN][i] : 1.0;
+        io->of[CSG_NEAR_OPEN][i] = left[i] > 0.0 ? io->of[CSG_NEAR_OPEN][i] : 1.0;
 }
 
 /* Crossings near the start, or ends of an interval that are near each other, leave all open. Behind this rays start within a column,
  * or not, for certain. */
-SIMD_INLINE void check_near(const csg_tree *t, const pov_rays *restrict rays, csg_near_rays *restrict io)
+SIMD_INLINE void check_near(const csg_tree *t, const pov_rays *restrict rays, csg_near_rays *restrict io, bool endless)
 {
     SIMD_ALIGNED uint64_t near[CSG_TOGETHER];
     SIMD_ALIGNED csg_lane least;
 
-    find_nearest(t->outline->count, io, least);
+    find_clearance(t->outline->count, io, endless, least);
     SIMD_LOOP for (uint32_t i = 0; i < CSG_TOGETHER; i++)
-        near[i] = least[i] > margin ? 0 : 1;
+        near[i] = least[i] > 0.0 ? 0 : 1;
     if (is_any(near))
-        leave_by_name(t, rays, least, io);
+        leave_by_name(t, rays, least, io, endless);
 }
 
 /* ---- of a tree with chords ---- */
@@ -163,8 +175,8 @@ SIMD_CLONES SIMD_NOINLINE void csg_lanes_first_chord(const csg_tree *t, const po
     SIMD_ALIGNED csg_lane leave;
 
     for (uint32_t left = hollows; left; left &= left - 1)
-        csg_lanes_cross(t->outline, first_of(left), first_of(left), k);
-    check_near(t, rays, k);
+        csg_lanes_cross(t->outline, first_of(left), first_of(left), k, false);
+    check_near(t, rays, k, false);
     SIMD_LOOP for (uint32_t i = 0; i < CSG_TOGETHER; i++) {
         out->at[i] = k->of[CSG_NEAR_START][i];
         leave[i] = HUGE_VAL;
@@ -218,9 +230,10 @@ SIMD_INLINE void find_holding(uint32_t columns, uint32_t column, const csg_near_
     }
 }
 
-/* Crossings ahead and within the box, which is the last column; else infinity. False: all are, or behind others that show. */
+/* Crossings ahead and within the box, if there is one, which is the last column; else infinity. False: all are, or behind others that
+ * show. */
 SIMD_INLINE bool find_ahead(const csg_outline *of, uint32_t column, const csg_near_rays *restrict k, const double *restrict at,
-                            const double *restrict first, double *restrict out)
+                            const double *restrict first, bool endless, double *restrict out)
 {
     SIMD_ALIGNED uint64_t counts[CSG_TOGETHER];
 
@@ -228,59 +241,67 @@ SIMD_INLINE bool find_ahead(const csg_outline *of, uint32_t column, const csg_ne
         const double ahead = at[i] > k->of[CSG_NEAR_START][i] ? at[i] : HUGE_VAL;
         const double within = k->in[column][i] < k->out[column][i] ? ahead : HUGE_VAL;
 
-        out[i] = within < k->in[of->count][i] ? HUGE_VAL : within > k->out[of->count][i] ? HUGE_VAL : within;
-        counts[i] = out[i] < HUGE_VAL ? out[i] > first[i] + margin ? 0 : 1 : 0;
+        out[i] = endless ? within : within < k->in[of->count][i] ? HUGE_VAL : within > k->out[of->count][i] ? HUGE_VAL : within;
+        counts[i] = out[i] < HUGE_VAL ? out[i] > first[i] + csg_lanes_near(k, i, first[i], endless) ? 0 : 1 : 0;
     }
     return is_any(counts);
 }
 
 /* What happens at a crossing, where that is the first so far that shows; and the first place where crossings are too near each other. */
 SIMD_INLINE void try_crossing(const csg_outline *of, uint32_t column, bool enters, const csg_near_rays *restrict k,
-                              const double *restrict at, csg_firsts *restrict io, double *restrict close)
+                              const double *restrict at, bool endless, csg_firsts *restrict io, double *restrict close)
 {
     const uint64_t shows = of->shows[column], grows = of->grows[column];
     const double crossing = 2.0 * column + (enters ? 1.0 : 0.0);
     SIMD_ALIGNED uint64_t holding[CSG_TOGETHER];
-    SIMD_ALIGNED csg_lane near, boxed;
+    SIMD_ALIGNED csg_lane near, counts;
 
-    if (!find_ahead(of, column, k, at, io->at, boxed))
+    if (!find_ahead(of, column, k, at, io->at, endless, counts))
         return;
     find_holding(of->count, column, k, at, holding, near);
     SIMD_LOOP for (uint32_t i = 0; i < CSG_TOGETHER; i++) {
-        const double shown = shows >> holding[i] & 1 ? boxed[i] : HUGE_VAL, grown = grows >> holding[i] & 1 ? 1.0 : 0.0;
+        const double shown = shows >> holding[i] & 1 ? counts[i] : HUGE_VAL, grown = grows >> holding[i] & 1 ? 1.0 : 0.0;
         const double inward = enters ? grown : 1.0 - grown;
 
-        close[i] = near[i] > margin ? close[i] : csg_lesser(boxed[i], close[i]);
+        close[i] = near[i] > csg_lanes_near(k, i, at[i], endless) ? close[i] : csg_lesser(counts[i], close[i]);
         io->crossing[i] = shown < io->at[i] ? crossing : io->crossing[i];
         io->inward[i] = shown < io->at[i] ? inward : io->inward[i];
         io->at[i] = csg_lesser(shown, io->at[i]);
     }
 }
 
-SIMD_CLONES SIMD_NOINLINE void csg_lanes_first_swept(const csg_tree *t, const pov_rays *restrict rays, csg_near_rays *restrict k,
-                                                csg_firsts *restrict out)
+SIMD_INLINE void find_swept(const csg_tree *t, const pov_rays *restrict rays, bool endless, csg_near_rays *restrict k, csg_firsts *restrict out)
 {
     const csg_outline *of = t->outline;
     SIMD_ALIGNED csg_lane close;
 
     for (uint32_t c = 0; c < of->count; c++)
         if (!(of->within >> c & 1))
-            csg_lanes_cross(of, c, c, k);
-    check_near(t, rays, k);
-    memset(out, 0, sizeof *out);
+            csg_lanes_cross(of, c, c, k, endless);
+    check_near(t, rays, k, endless);
     SIMD_LOOP for (uint32_t i = 0; i < CSG_TOGETHER; i++)
         out->at[i] = close[i] = HUGE_VAL;
     for (uint32_t c = 0; c < of->count; c++) {
-        try_crossing(of, c, true, k, k->in[c], out, close);
-        try_crossing(of, c, false, k, k->out[c], out, close);
+        try_crossing(of, c, true, k, k->in[c], endless, out, close);
+        try_crossing(of, c, false, k, k->out[c], endless, out, close);
     }
     SIMD_LOOP for (uint32_t i = 0; i < CSG_TOGETHER; i++) {
         const double at = out->at[i] - k->of[CSG_NEAR_START][i], per_unit = k->of[CSG_NEAR_PER_UNIT][i];
-        const double last = csg_lesser(out->at[i] + margin, 0x1p1000);
+        const double near = csg_lanes_near(k, i, out->at[i], endless), last = csg_lesser(out->at[i] + near, 0x1p1000);
 
         out->open[i] = close[i] <= last ? 1.0 : k->of[CSG_NEAR_OPEN][i];
         out->passed[i] = out->open[i] > 0.0 ? 0.0 : out->at[i] < HUGE_VAL ? 0.0 : 1.0;
-        out->lo[i] = (at - margin) * per_unit;
-        out->hi[i] = (at + margin) * per_unit;
+        out->lo[i] = (at - near) * per_unit;
+        out->hi[i] = (at + near) * per_unit;
     }
+}
+
+SIMD_CLONES SIMD_NOINLINE void csg_lanes_first_swept(const csg_tree *t, const pov_rays *restrict rays, csg_near_rays *restrict k,
+                                                csg_firsts *restrict out)
+{
+    memset(out, 0, sizeof *out);
+    if (t->outline->endless)
+        find_swept(t, rays, true, k, out);
+    else
+        find_swept(t, rays, false, k, out);
 }

@@ -247,7 +247,7 @@ bool csg_is_small(const csg_tree *t)
             return false;
         held = held || t->members[i].needed;
     }
-    return t->boxed && !t->empty && (held || count <= CSG_TABLE_COLUMNS);
+    return !t->empty && (held || count <= CSG_TABLE_COLUMNS);
 }
 
 /* What the classes know of the columns. */
