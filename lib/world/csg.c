@@ -218,6 +218,7 @@ void csg_free(csg_list *all, const env *e)
         env_free(e, all->items[i].outside);
         env_free(e, all->items[i].children);
         env_free(e, all->items[i].bounds);
+        env_free(e, all->items[i].many);
         env_free(e, all->items[i].endless);
         env_free(e, all->items[i].cuts);
     }

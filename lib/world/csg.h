@@ -57,9 +57,9 @@ typedef struct csg_endless { uint32_t member; bool boxed; pov_box box; } csg_end
 typedef struct csg_cut { pov_half_space within; uint32_t member; } csg_cut;
 
 /* The bounds of all members, where they are few: side by side, so that one loop tests them. */
-enum { CSG_FEW = 8 };
+enum { CSG_FEW = 8, CSG_MANY = 8 };
 typedef struct csg_few {
-    uint32_t count;              /* 0: there are more */
+    uint32_t count;              /* 0: there are more; up to CSG_MANY of these hold up to 64 */
     uint32_t bound[CSG_FEW];     /* their indices */
     double lo[3][CSG_FEW], hi[3][CSG_FEW];
 } csg_few;
@@ -103,7 +103,7 @@ typedef struct csg_outline {
 typedef struct csg_clipped { uint32_t count, surface, clip[CSG_FEW], hollows; bool shown, outlined, loose; } csg_clipped;
 
 typedef struct csg_tree {
-    csg_few few;
+    csg_few few, *many;          /* many: of more finite members; NULL: there are too many, or few */
     csg_chords chords;
     csg_clipped clipped;         /* count 0: the tree is another one */
     csg_outline *outline;        /* NULL: not known */
@@ -113,7 +113,7 @@ typedef struct csg_tree {
     node_ref *children;
     csg_bound *bounds;           /* bounds of the finite members; the first one around all */
     csg_endless *endless;
-    uint32_t member_count, node_count, child_count, bounds_count, endless_count;
+    uint32_t member_count, node_count, child_count, bounds_count, endless_count, many_count;
     uint32_t open_count;         /* members that are open */
     double open_size;            /* the least of their boxes' largest extents; 0: none has a box */
     bool boxed, empty;           /* boxed: it is finite; empty: its members have nothing in common */

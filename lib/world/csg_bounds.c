@@ -249,16 +249,38 @@ static void put_few(csg_few *few, const csg_bound *b, uint32_t index)
 }
 
 /* Columns that are not used repeat one that is. */
-static void find_few(csg_tree *t, uint32_t count)
+static void fill_few(csg_few *few, const csg_bound *bounds)
 {
-    if (count == 0 || count > CSG_FEW)
-        return;
+    const uint32_t count = few->count;
+
+    while (few->count < CSG_FEW)
+        put_few(few, &bounds[few->bound[0]], few->bound[0]);
+    few->count = count;
+}
+
+static void find_few(csg_tree *t, uint32_t count, csg_few *few)
+{
+    uint32_t n = 0;
+
     for (uint32_t i = 0; i < t->bounds_count; i++)
         if (t->bounds[i].other == 0)
-            put_few(&t->few, &t->bounds[i], i);
-    while (t->few.count < CSG_FEW)
-        put_few(&t->few, &t->bounds[t->few.bound[0]], t->few.bound[0]);
-    t->few.count = count;
+            put_few(&few[n++ / CSG_FEW], &t->bounds[i], i);
+    fill_few(&few[(count - 1) / CSG_FEW], t->bounds);
+}
+
+/* Boxes of up to 64 members stand side by side: that is faster than to go through the hierarchy. False: no memory. */
+static bool find_groups(csg_tree *t, const env *e, uint32_t count)
+{
+    if (count == 0 || count > CSG_FEW * CSG_MANY)
+        return true;
+    if (count > CSG_FEW) {
+        t->many_count = (count + CSG_FEW - 1) / CSG_FEW;
+        t->many = env_alloc(e, t->many_count, sizeof *t->many);
+        if (!t->many)
+            return false;
+    }
+    find_few(t, count, t->many ? t->many : &t->few);
+    return true;
 }
 
 static void take_cut(void *to, const pov_half_space *one, bool complement, uint32_t member)
@@ -381,18 +403,18 @@ static bool is_needed(const csg_tree *t, const csg_member *m)
 bool csg_find_bounds(csg_tree *t, const env *e, const csg_source *source)
 {
     uint32_t *ids = env_resize(e, NULL, t->member_count, sizeof *ids), count = 0;
-    const bool asked = ask_extents(t, e, source);
+    bool done = ask_extents(t, e, source);
 
     t->bounds = env_resize(e, NULL, 2 * (size_t)t->member_count, sizeof *t->bounds);
-    for (uint32_t i = 0; asked && ids && t->bounds && i < t->member_count; i++)
+    done = done && ids && t->bounds;
+    for (uint32_t i = 0; done && i < t->member_count; i++)
         if (!is_cut(t, i) && t->members[i].boxed && !t->members[i].absent)
             ids[count++] = i;
     for (uint32_t i = 0; i < t->member_count; i++)
         t->members[i].needed = is_needed(t, &t->members[i]);
-    if (count > 0) {
+    if (count > 0)
         split(t, ids, count);
-        find_few(t, count);
-    }
+    done = done && find_groups(t, e, count);
     env_free(e, ids);
-    return asked && ids && t->bounds;
+    return done;
 }

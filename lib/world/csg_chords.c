@@ -282,7 +282,7 @@ bool csg_chords_first(csg_traversal *w, pov_hits *hits)
     if (w->tree->outline && is_found(w, hits))
         return true;
     begin(&s, w, hits);
-    csg_enter_few(w, s.enter, s.leave);
+    csg_enter_few(w, &w->tree->few, s.enter, s.leave);
     for (uint32_t left = f->within; left; left &= left - 1)
         if (!(s.enter[first_of(left)] <= s.leave[first_of(left)] && s.enter[first_of(left)] < hits->tmax + hits->slack))
             return true;

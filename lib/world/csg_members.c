@@ -195,17 +195,16 @@ SIMD_CLONES static void enter_few(const csg_few *few, pov_vec3 o, pov_vec3 inver
     narrow_few(few->lo[2], few->hi[2], o.z, inverse.z, wide, enter, leave);
 }
 
-void csg_enter_few(const csg_traversal *w, double *enter, double *leave)
+void csg_enter_few(const csg_traversal *w, const csg_few *few, double *enter, double *leave)
 {
-    enter_few(&w->tree->few, w->ray->org, w->inverse, box_slack * w->size, enter, leave);
+    enter_few(few, w->ray->org, w->inverse, box_slack * w->size, enter, leave);
 }
 
-static void push_few(csg_traversal *w)
+static void push_few(csg_traversal *w, const csg_few *few)
 {
-    const csg_few *few = &w->tree->few;
     SIMD_ALIGNED double enter[CSG_FEW], leave[CSG_FEW];
 
-    csg_enter_few(w, enter, leave);
+    csg_enter_few(w, few, enter, leave);
     for (uint32_t i = 0; i < few->count; i++)
         if (enter[i] <= leave[i])
             insert(w, few->bound[i], enter[i]);
@@ -532,9 +531,11 @@ void csg_traversal_begin(csg_traversal *w, const pov_hits *hits, bool exact)
     if (w->missed)
         return;
     test_cuts(w);
+    for (uint32_t i = 0; i < t->many_count; i++)
+        push_few(w, &t->many[i]);
     if (t->few.count > 0)
-        push_few(w);
-    else if (t->bounds_count > 0)
+        push_few(w, &t->few);
+    else if (!t->many && t->bounds_count > 0)
         push(w, 0);
 }
 

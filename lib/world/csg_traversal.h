@@ -30,7 +30,7 @@ void csg_traversal_init(csg_traversal *w, const csg_tree *tree, const pov_ray *r
 bool csg_traversal_hits_box(csg_traversal *w);
 bool csg_traversal_enters(csg_traversal *w, const pov_hits *hits);
 /* Where the ray enters and leaves the boxes of few members. */
-void csg_enter_few(const csg_traversal *w, double *enter, double *leave);
+void csg_enter_few(const csg_traversal *w, const csg_few *few, double *enter, double *leave);
 /* Begin at the start of the ray, and afterwards clear what members remember. */
 void csg_traversal_begin(csg_traversal *w, const pov_hits *hits, bool exact);
 void csg_traversal_end(csg_traversal *w);
