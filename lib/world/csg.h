@@ -85,7 +85,7 @@ typedef struct csg_outline {
     uint8_t *values;             /* of the tree, by the columns that hold a point, as bits, where there are few; or NULL */
     uint64_t shows[CSG_TABLE_COLUMNS], grows[CSG_TABLE_COLUMNS];   /* then, by column and by the others that hold a point, as the number of
                                   * a bit: does the value change where the column is crossed, and is it larger within? */
-    uint32_t within;             /* columns that the tree is within, as bits */
+    uint32_t within, convex;     /* columns that the tree is within, as bits; those of them that are convex */
     bool boxed;                  /* then: behind the columns there is one more, the tree's box, a little wider */
     pov_vec3 centre;             /* of the tree's box; without one, the origin */
     double size, per_size;       /* half of its largest extent, or about that of what the tree has; and the inverse */

@@ -97,6 +97,19 @@ SIMD_INLINE void find_never(const csg_tree *t, bool endless, const double *restr
     }
 }
 
+/* Rays and their ends. */
+SIMD_INLINE void load(const csg_tree *t, const pov_rays *restrict rays, uint32_t first, uint32_t n, csg_near_rays *restrict k,
+                      double *restrict most)
+{
+    come_near(t->outline, rays, first, n, k);
+    for (uint32_t i = 0; i < n; i++)
+        most[i] = rays->tmax[first + i];
+    if (n < CSG_TOGETHER) {
+        repeat(k);
+        memcpy(most + n, most, sizeof(csg_lane) / 2);
+    }
+}
+
 /* Rays that are never within all members that are no complements, ahead and before their end, certainly pass the tree. Others do not
  * cross it before `lo`. */
 SIMD_CLONES SIMD_NOINLINE static void find_passing(const csg_tree *t, const pov_rays *restrict rays, uint32_t first, uint32_t n,
@@ -104,17 +117,55 @@ SIMD_CLONES SIMD_NOINLINE static void find_passing(const csg_tree *t, const pov_
 {
     SIMD_ALIGNED csg_lane most;
 
-    come_near(t->outline, rays, first, n, k);
-    for (uint32_t i = 0; i < n; i++)
-        most[i] = rays->tmax[first + i];
-    if (n < CSG_TOGETHER) {
-        repeat(k);
-        memcpy(most + n, most, sizeof most / 2);
-    }
+    load(t, rays, first, n, k, most);
     if (t->outline->endless)
         find_never(t, true, most, k, passed, lo);
     else
         find_never(t, false, most, k, passed, lo);
+}
+
+/* ---- rays that enter what all columns have in common ---- */
+
+/* Of a tree with a box, as csg_sweep.c finds it for one ray: the last entry is the first crossing, if the ray starts outside of all that it
+ * is not in, and no other crossing is near. The rest is open. */
+SIMD_CLONES SIMD_NOINLINE static void find_entry(const csg_tree *t, const pov_rays *restrict rays, uint32_t first, uint32_t n,
+                                                 csg_near_rays *restrict k, csg_firsts *restrict out)
+{
+    const double margin = CSG_OUTLINE_MARGIN;
+    SIMD_ALIGNED csg_lane leave, before, clear, most;
+
+    load(t, rays, first, n, k, most);
+    for (uint32_t i = 0; i < CSG_TOGETHER; i++) {
+        out->at[i] = before[i] = -HUGE_VAL;
+        leave[i] = clear[i] = HUGE_VAL;
+        out->crossing[i] = 0.0;
+        out->inward[i] = 1.0;
+    }
+    for (uint32_t c = 0; c < t->outline->count; c++) {
+        const double entry = 2.0 * c + 1.0;
+
+        csg_lanes_cross(t->outline, c, 0, k, false);
+        SIMD_LOOP for (uint32_t i = 0; i < CSG_TOGETHER; i++) {
+            const double in = k->in[0][i], end = k->out[0][i], start = k->of[CSG_NEAR_START][i], at = out->at[i];
+
+            before[i] = csg_greater(csg_lesser(in, at), before[i]);
+            out->crossing[i] = in > at ? entry : out->crossing[i];
+            out->at[i] = csg_greater(in, at);
+            leave[i] = csg_lesser(end, leave[i]);
+            clear[i] = csg_lesser(fabs(in - start), clear[i]);
+        }
+    }
+    SIMD_LOOP for (uint32_t i = 0; i < CSG_TOGETHER; i++) {
+        const double start = k->of[CSG_NEAR_START][i], per_unit = k->of[CSG_NEAR_PER_UNIT][i], at = out->at[i], beyond = csg_greater(at, start) - leave[i];
+        const double single = at - before[i] > 2.0 * margin ? leave[i] - at > 2.0 * margin ? 1.0 : 0.0 : 0.0;
+        const double ahead = at > start ? clear[i] > margin ? fabs(at) < 2.0 ? single : 0.0 : 0.0 : 0.0;
+        const double from = (at - start - margin) * per_unit, never = beyond > margin ? 1.0 : from > most[i] ? 1.0 : 0.0;
+
+        out->passed[i] = k->of[CSG_NEAR_OPEN][i] > 0.0 ? 0.0 : never;
+        out->open[i] = k->of[CSG_NEAR_OPEN][i] > 0.0 ? 1.0 : 1.0 - ahead;
+        out->lo[i] = csg_greater(from, 0.0);
+        out->hi[i] = (at - start + margin) * per_unit;
+    }
 }
 
 /* ---- candidates ---- */
@@ -145,7 +196,7 @@ static uint32_t staying(const csg_tree *t, const pov_rays *rays, uint32_t first,
     for (uint32_t left = any ? some : 0; left; left &= left - 1) {
         const pov_ray *ray = rays->rays[first + first_of(left)];
 
-        if (ray->origin_mark.flags & POV_MARK_OUTWARD && t->chords.within >> csg_lanes_column(t, ray->origin_surface) & 1)
+        if (ray->origin_mark.flags & POV_MARK_OUTWARD && t->outline->convex >> csg_lanes_column(t, ray->origin_surface) & 1)
             some &= ~(1u << first_of(left));
     }
     return some;
@@ -188,6 +239,17 @@ static pov_candidate candidate_of(const csg_tree *t, const csg_firsts *f, uint32
     return m;
 }
 
+/* That of a ray, in a lane of those; returns their number. */
+static uint32_t put_candidate(const csg_tree *t, const csg_firsts *f, uint32_t i, double most, uint32_t ray, uint32_t which, pov_candidate *out)
+{
+    if (f->passed[i] > 0.0)
+        return 0;
+    *out = candidate_of(t, f, i, most);
+    out->ray = (uint8_t)ray;
+    out->lane = (uint8_t)which;
+    return !(out->lo > most);
+}
+
 /* The first n rays of a group. */
 static uint32_t examine(const csg_tree *t, const pov_rays *rays, csg_near_rays *k, uint32_t n, uint32_t which, pov_candidate *out)
 {
@@ -195,16 +257,8 @@ static uint32_t examine(const csg_tree *t, const pov_rays *rays, csg_near_rays *
     csg_firsts f;
 
     (t->chords.all ? csg_lanes_first_chord : csg_lanes_first_swept)(t, rays, k, &f);
-    for (uint32_t i = 0; i < n; i++) {
-        const double most = rays->tmax[k->ray[i]];
-
-        if (f.passed[i] > 0.0)
-            continue;
-        out[found] = candidate_of(t, &f, i, most);
-        out[found].ray = k->ray[i];
-        out[found].lane = (uint8_t)which;
-        found += !(out[found].lo > most);
-    }
+    for (uint32_t i = 0; i < n; i++)
+        found += put_candidate(t, &f, i, rays->tmax[k->ray[i]], k->ray[i], which, out + found);
     return found;
 }
 
@@ -225,6 +279,26 @@ static uint32_t filter(const csg_tree *t, const pov_rays *rays, uint64_t lanes, 
 /* Does a table tell what happens at each crossing? */
 static bool has_table(const csg_tree *t) { return t->outline->values && !t->clipped.outlined; }
 
+/* Is the tree what all columns have in common, and nothing of it hidden? */
+static bool is_common(const csg_outline *of) { return !of->endless && of->within == (1u << of->count) - 1 && !of->hidden; }
+
+static uint32_t filter_common(const csg_tree *t, const pov_rays *rays, uint64_t lanes, uint32_t which, pov_candidate *out)
+{
+    uint32_t found = 0;
+    csg_near_rays k;
+    csg_firsts f;
+
+    for (uint32_t first = 0; first < POV_RAYS_MAX && lanes >> first; first += CSG_TOGETHER) {
+        uint32_t some = staying(t, rays, first, (uint32_t)(lanes >> first) & ((1u << CSG_TOGETHER) - 1));
+
+        if (some)
+            find_entry(t, rays, first, some >> CSG_TOGETHER / 2 ? CSG_TOGETHER : CSG_TOGETHER / 2, &k, &f);
+        for (; some; some &= some - 1)
+            found += put_candidate(t, &f, first_of(some), rays->tmax[first + first_of(some)], first + first_of(some), which, out + found);
+    }
+    return found;
+}
+
 /* What is clipped, and what has many members, is left to csg_intersect() where the columns that hold it do not tell. */
 static uint32_t filter_passing(const csg_tree *t, const pov_rays *rays, uint64_t lanes, uint32_t which, pov_candidate *out)
 {
@@ -233,7 +307,7 @@ static uint32_t filter_passing(const csg_tree *t, const pov_rays *rays, uint64_t
     csg_near_rays k;
 
     for (uint32_t first = 0; first < POV_RAYS_MAX && lanes >> first; first += CSG_TOGETHER) {
-        uint32_t some = (uint32_t)(lanes >> first) & ((1u << CSG_TOGETHER) - 1);
+        uint32_t some = staying(t, rays, first, (uint32_t)(lanes >> first) & ((1u << CSG_TOGETHER) - 1));
 
         if (some)
             find_passing(t, rays, first, some >> CSG_TOGETHER / 2 ? CSG_TOGETHER : CSG_TOGETHER / 2, &k, passed, lo);
@@ -270,6 +344,8 @@ uint32_t csg_filter(const void *block, const uint32_t *owners, const pov_rays *r
             n += decline(lanes, which, out + n);
         else if (t->chords.all || has_table(t))
             n += filter(t, rays, lanes, which, out + n);
+        else if (!t->clipped.outlined && is_common(t->outline))
+            n += filter_common(t, rays, lanes, which, out + n);
         else
             n += filter_passing(t, rays, lanes, which, out + n);
     }

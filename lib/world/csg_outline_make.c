@@ -259,6 +259,7 @@ static bool ask_columns(const csg_tree *t, csg_outline *of, pov_outline *all)
         if (!m->shape->outline || m->open || !m->shape->outline(m->instance, &all[i]))
             return false;
         of->within |= (uint32_t)m->needed << i;
+        of->convex |= (uint32_t)(m->needed && (!all[i].round || m->shape->flags & POV_SHAPE_CONVEX)) << i;
         of->bare |= (uint32_t)(all[i].round && all[i].slabs == 0) << i;
         of->slabs += all[i].slabs;
         of->quadrics += all[i].round;

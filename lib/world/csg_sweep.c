@@ -294,9 +294,9 @@ bool csg_sweep_first(csg_traversal *w, pov_hits *hits)
     sweep s;
     csg_first first;
     csg_found found;
-    uint32_t from;
+    const uint32_t from = csg_outline_column(w);
 
-    if (!csg_traversal_hits_box(w) || w->enter > most)
+    if ((w->ray->origin_mark.flags & POV_MARK_OUTWARD && w->tree->outline->convex >> from & 1) || !csg_traversal_hits_box(w) || w->enter > most)
         return true;
     s.w = w;
     s.of = w->tree->outline;
@@ -308,7 +308,6 @@ bool csg_sweep_first(csg_traversal *w, pov_hits *hits)
     s.from -= near_by(&s, s.from);
     s.to = s.io.start + fmin(w->leave, most) / s.io.per_unit;
     s.to += near_by(&s, s.to);
-    from = csg_outline_column(w);
     if (is_nowhere(&s, from))
         return true;
     found = is_common(s.of) ? find_common(&s, from, &first) : CSG_OPEN;
