@@ -2,18 +2,18 @@
  * several rays side by side, in doubles with bounds. docs/numerics.md ("Torus") derives these. */
 #include "common/torus.h"
 
-enum { TOGETHER = 4 };
-typedef double four[TOGETHER];
+enum { TOGETHER = 8, HALF = TOGETHER / 2 };
+typedef double lane[TOGETHER];
 
 /* Rays of the scene; own is 1 where the ray starts on the torus. */
-typedef struct ray_lanes { four org[3], dir[3], size, tmax, own; } ray_lanes;
+typedef struct ray_lanes { lane org[3], dir[3], size, tmax, own; } ray_lanes;
 
 /* The map to a space where the torus's size is of the order of one, and the error of a ray there: of its start `off` and `off_far`
  * times its size, of its direction `off_dir` times that. */
 typedef struct space { pov_vec3 anchor, column[3], from; double off, off_far, off_dir; } space;
 
 /* 1 where a ray certainly passes the torus, or certainly hits it between two distances. */
-typedef struct outcomes { four passed, hit, lo, hi; } outcomes;
+typedef struct outcomes { lane passed, hit, lo, hi; } outcomes;
 
 static double sum_of_sizes(pov_vec3 v) { return fabs(v.x) + fabs(v.y) + fabs(v.z); }
 
@@ -150,9 +150,15 @@ COMMON_INLINE void look_at(const torus *t, const space *to, const ray_lanes *res
     out->hi[i] = hit;
 }
 
-COMMON_CLONES static void look(const torus *t, const space *to, const ray_lanes *restrict l, outcomes *restrict out)
+COMMON_SEPARATE static void look_half(const torus *t, const space *to, const ray_lanes *restrict l, outcomes *restrict out)
 {
-    for (uint32_t i = 0; i < TOGETHER; i++)
+    for (uint32_t i = 0; i < HALF; i++)
+        look_at(t, to, l, out, i);
+}
+
+COMMON_SEPARATE static void look_all(const torus *t, const space *to, const ray_lanes *restrict l, outcomes *restrict out)
+{
+    COMMON_LOOP for (uint32_t i = 0; i < TOGETHER; i++)
         look_at(t, to, l, out, i);
 }
 
@@ -179,9 +185,9 @@ uint32_t common_torus_narrow(const void *self, const pov_own_map *map, uint32_t 
         ray_lanes l;
         outcomes of;
 
-        for (uint32_t i = 0; i < TOGETHER; i++)
+        for (uint32_t i = 0; i < (some > HALF ? TOGETHER : HALF); i++)
             put(&l, i, rays, io[from + common_lane_of(i, some)].ray, owner);
-        look(t, &to, &l, &of);
+        (some > HALF ? look_all : look_half)(t, &to, &l, &of);
         for (uint32_t i = 0; i < some; i++) {
             pov_candidate m = io[from + i];
 
