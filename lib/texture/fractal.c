@@ -128,15 +128,20 @@ static double outside_value(const fractal *f, complex_number z, int32_t steps, i
 
 /* ---- sequences side by side ---- */
 
-enum { LANES = 32, STRIDE = 8 };
+enum { LANES = 32, GROUP = 8, STRIDE = 8, LOOK_BACK = 4 };
 
 /* What a step needs of others comes from the step before, so several sequences take each step together. One that has ended stays
  * where it is until the end of a stride, and the next point takes its lane. */
 typedef struct sequences {
-    double re[LANES], im[LANES], c_re[LANES], c_im[LANES], least[LANES];
+    SIMD_ALIGNED double re[LANES], im[LANES];
+    double c_re[LANES], c_im[LANES], least[LANES];
     int64_t steps[LANES], live[LANES];   /* that did not escape; all bits or none */
+    double past_re[LANES], past_im[LANES];   /* of squares: an earlier place of each, and its steps until there */
+    int64_t past[LANES];
     int64_t limit;
-    uint32_t point[LANES], count;
+    int64_t lead;                /* of squares: so many steps come before the strides, so that none goes beyond the limit; else -1 */
+    int stride;                  /* of squares */
+    uint32_t strides, point[LANES], count;
 } sequences;
 
 /* The start counts among the smallest, but for the 0 that a magnet's mandel begins with. */
@@ -150,7 +155,8 @@ static void begin(const fractal *f, sequences *s, uint32_t l, double x, double y
     s->c_re[l] = has_c ? f->c[0] : x;
     s->c_im[l] = has_c ? f->c[1] : y;
     s->least[l] = from_zero ? HUGE_VAL : square_of(z);
-    s->steps[l] = 0;
+    s->steps[l] = s->past[l] = 0;
+    s->past_re[l] = s->past_im[l] = HUGE_VAL;
     s->live[l] = s->limit > 0 ? -1 : 0;
 }
 
@@ -169,13 +175,89 @@ static inline void advance(sequences *s, uint32_t l, complex_number next, bool e
     s->live[l] = s->steps[l] < s->limit ? stays : 0;
 }
 
-static void square_steps(sequences *s, uint32_t n)
+/* A stride of squares of 8 sequences, whose numbers stay in registers. One that escapes goes on to its end: the number of its steps
+ * is known, and what is least of it does not count; its place stays where the stride began. */
+SIMD_CLONES static void square_stride(int stride, double *restrict at_re, double *restrict at_im, const double *restrict c_re,
+                                      const double *restrict c_im, double *restrict at_least, int64_t *restrict at_steps,
+                                      int64_t *restrict at_live)
 {
-    for (uint32_t l = 0; l < n; l++) {
-        const complex_number next = square_step(at_of(s, l), c_of(s, l));
+    SIMD_ALIGNED double re[GROUP], im[GROUP], re_re[GROUP], im_im[GROUP], least[GROUP];
+    SIMD_ALIGNED int64_t steps[GROUP], live[GROUP];
 
-        advance(s, l, next, has_escaped(next));
+    SIMD_LOOP
+    for (uint32_t l = 0; l < GROUP; l++) {
+        re[l] = at_re[l];
+        im[l] = at_im[l];
+        re_re[l] = re[l] * re[l];
+        im_im[l] = im[l] * im[l];
+        least[l] = at_least[l];
+        steps[l] = at_steps[l];
+        live[l] = at_live[l];
     }
+    for (int k = 0; k < stride; k++)
+        SIMD_LOOP
+        for (uint32_t l = 0; l < GROUP; l++) {
+            const double both = re[l] * im[l], next = re_re[l] - im_im[l] + c_re[l];
+            double square;
+
+            im[l] = both + both + c_im[l];
+            re[l] = next;
+            re_re[l] = re[l] * re[l];
+            im_im[l] = im[l] * im[l];
+            square = re_re[l] + im_im[l];
+            least[l] = square < least[l] ? square : least[l];
+            live[l] &= square > 4.0 ? 0 : -1;
+            steps[l] -= live[l];
+        }
+    SIMD_LOOP
+    for (uint32_t l = 0; l < GROUP; l++) {
+        at_re[l] = live[l] ? re[l] : at_re[l];
+        at_im[l] = live[l] ? im[l] : at_im[l];
+        at_least[l] = at_live[l] ? least[l] : at_least[l];
+        at_steps[l] = steps[l];
+        at_live[l] = live[l];
+    }
+}
+
+/* Which are back at the very numbers of an earlier place? Such places are those after 2^n strides, as of Brent (1980). */
+static bool find_rounds(sequences *s, uint32_t n, int64_t *restrict back)
+{
+    int64_t any = 0;
+
+    for (uint32_t l = 0; l < n; l++) {
+        const bool renews = s->steps[l] >= 2 * s->past[l];
+
+        back[l] = ((s->re[l] == s->past_re[l]) & (s->im[l] == s->past_im[l])) ? s->live[l] : 0;
+        any |= back[l];
+        s->past_re[l] = renews ? s->re[l] : s->past_re[l];
+        s->past_im[l] = renews ? s->im[l] : s->past_im[l];
+        s->past[l] = renews & ~back[l] ? s->steps[l] : s->past[l];
+    }
+    return any != 0;
+}
+
+/* A sequence that is back goes round for ever. What is new is only where it is in the end, so whole rounds are left out. */
+static void leave_rounds_out(sequences *s, const int64_t *back)
+{
+    for (uint32_t l = 0; l < s->count; l++)
+        if (back[l]) {
+            s->steps[l] = s->limit - (s->limit - s->steps[l]) % (s->steps[l] - s->past[l]);
+            s->past[l] = s->limit;
+            s->past_re[l] = HUGE_VAL;
+            s->live[l] = s->steps[l] < s->limit ? -1 : 0;
+        }
+}
+
+static void square_steps(sequences *s)
+{
+    SIMD_ALIGNED int64_t back[LANES];
+
+    for (uint32_t l = 0; l < s->count; l += GROUP)
+        square_stride(s->stride, s->re + l, s->im + l, s->c_re + l, s->c_im + l, s->least + l, s->steps + l, s->live + l);
+    for (uint32_t l = 0; l < s->count; l++)
+        s->live[l] &= s->steps[l] < s->limit ? -1 : 0;
+    if (++s->strides % LOOK_BACK == 0 && find_rounds(s, lanes_whole(s->count), back))
+        leave_rounds_out(s, back);
 }
 
 static void power_steps(const fractal *f, sequences *s, uint32_t n)
@@ -222,9 +304,7 @@ static void take_steps(const fractal *f, sequences *s)
 {
     const uint32_t n = lanes_whole(s->count);
 
-    if (f->kind == 0 && f->exponent == 2)
-        square_steps(s, n);
-    else if (f->kind == 0)
+    if (f->kind == 0)
         power_steps(f, s, n);
     else if (f->kind == 1)
         magnet_steps1(s, n);
@@ -232,15 +312,16 @@ static void take_steps(const fractal *f, sequences *s)
         magnet_steps2(s, n);
 }
 
-/* A sequence that is the last takes its steps by itself. */
-static void end_alone(const fractal *f, sequences *s, uint32_t l)
+/* One sequence by itself, until it has taken so many steps. */
+static void go_alone(const fractal *f, sequences *s, uint32_t l, int64_t until)
 {
     const complex_number c = c_of(s, l);
     complex_number z = at_of(s, l);
     double least = s->least[l];
     int64_t k = s->steps[l];
+    bool escaped = !s->live[l];
 
-    for (bool escaped = false; s->live[l] && !escaped && k < s->limit; k += !escaped) {
+    for (; !escaped && k < until; k += !escaped) {
         z = step(f, z, c);
         escaped = f->kind == 0 ? has_escaped(z) : is_fixed(z);
         least = !escaped && square_of(z) < least ? square_of(z) : least;
@@ -249,7 +330,7 @@ static void end_alone(const fractal *f, sequences *s, uint32_t l)
     s->im[l] = z.im;
     s->least[l] = least;
     s->steps[l] = k;
-    s->live[l] = 0;
+    s->live[l] = !escaped && k < s->limit ? -1 : 0;
 }
 
 static void move_lane(sequences *s, uint32_t from, uint32_t to)
@@ -261,13 +342,29 @@ static void move_lane(sequences *s, uint32_t from, uint32_t to)
     s->least[to] = s->least[from];
     s->steps[to] = s->steps[from];
     s->live[to] = s->live[from];
+    s->past[to] = s->past[from];
+    s->past_re[to] = s->past_re[from];
+    s->past_im[to] = s->past_im[from];
     s->point[to] = s->point[from];
+}
+
+/* Where a sequence of squares escaped, from where its last stride began. */
+static complex_number find_escape(const sequences *s, uint32_t l)
+{
+    complex_number z = at_of(s, l);
+
+    for (int64_t k = (s->steps[l] - s->lead) % s->stride; k >= 0; k--)
+        z = square_step(z, c_of(s, l));
+    return z;
 }
 
 static double value_of(const fractal *f, const sequences *s, uint32_t l)
 {
-    return s->steps[l] < s->limit ? outside_value(f, at_of(s, l), (int32_t)s->steps[l], (int32_t)s->limit)
-                                  : inside_value(f, at_of(s, l), s->least[l]);
+    const bool is_placed = s->lead < 0 || s->steps[l] < s->lead || f->exterior < 2 || f->exterior > 6;
+
+    if (s->steps[l] >= s->limit)
+        return inside_value(f, at_of(s, l), s->least[l]);
+    return outside_value(f, is_placed ? at_of(s, l) : find_escape(s, l), (int32_t)s->steps[l], (int32_t)s->limit);
 }
 
 static void evaluate(const pattern_input *in, double *value)
@@ -275,14 +372,20 @@ static void evaluate(const pattern_input *in, double *value)
     const fractal *f = in->of->self;
     sequences s = { .limit = f->julia_limit > 0 ? f->julia_limit : f->limit };
 
+    s.stride = s.limit % 10 == 0 ? 10 : STRIDE;   /* most limits are round numbers */
+    s.lead = f->kind == 0 && f->exponent == 2 && s.limit > 0 ? s.limit % s.stride : -1;
     for (uint32_t next = 0; next < in->n || s.count > 0;) {
         for (; s.count < LANES && next < in->n; next++, s.count++) {
             s.point[s.count] = next;
             begin(f, &s, s.count, in->at->x[next], in->at->y[next]);
+            if (s.lead > 0)
+                go_alone(f, &s, s.count, s.lead);
         }
-        if (s.count == 1)
-            end_alone(f, &s, 0);
-        for (int k = 0; s.count > 1 && k < STRIDE; k++)
+        if (s.count == 1 && s.lead < 0)
+            go_alone(f, &s, 0, s.limit);
+        if (s.lead >= 0)
+            square_steps(&s);
+        for (int k = 0; s.lead < 0 && s.count > 1 && k < STRIDE; k++)
             take_steps(f, &s);
         for (uint32_t l = s.count; l-- > 0;)
             if (!s.live[l]) {

@@ -137,6 +137,55 @@ static float *seen_of(const char *pattern, const char *shape)
     return scenes_draw(text, WIDTH, HEIGHT, 1, 1);
 }
 
+/* What up to `limit` steps of squares and c find: interior types from 1 to 5, exterior ones from 1 to 6. */
+static double square_value(double x, double y, const double *c, int limit, int interior, int exterior)
+{
+    double least = x * x + y * y;
+    bool escaped = false;
+    int k = 0;
+
+    while (k < limit && !escaped) {
+        const double re = x * x - y * y + c[0], im = 2.0 * x * y + c[1];
+
+        x = re;
+        y = im;
+        escaped = x * x + y * y > 4.0;
+        least = escaped ? least : fmin(least, x * x + y * y);
+        k += !escaped;
+    }
+    {
+        const double of[] = { 0.0, escaped ? (double)k / limit : sqrt(least), x, y, x * x, y * y, sqrt(x * x + y * y) };
+
+        return of[escaped ? exterior : interior] * (escaped && exterior > 1 ? 0.2 : 1.0);
+    }
+}
+
+/* Inside, sequences of this c come to rounds of three places. */
+static void long_sequences_end_where_their_steps_lead(void **state)
+{
+    static const int limits[] = { 1, 7, 8, 9, 50, 1200, 1201, 1202, 1203, 1207 };
+    static const double c[] = { -0.12, 0.74 };
+
+    (void)state;
+    for (size_t i = 0; i < 5 * sizeof limits / sizeof limits[0]; i++) {
+        const int limit = limits[i / 5], type = 1 + (int)(i % 5);
+        char text[256];
+        float *seen;
+
+        snprintf(text, sizeof text, "julia <-.12, .74>, %d interior %d, 1 exterior %d, .2 frequency .05 phase .5 color_map { [0 rgb 0] [1 rgb 1] }",
+                 limit, type, type + 1);
+        seen = seen_of(text, "");
+        for (int k = 0; k < WIDTH * HEIGHT; k++) {
+            const double x = 0.3 + 2.0 * ((k % WIDTH + 0.5) / WIDTH - 0.5), y = 0.4 + 4.0 * (0.5 - (k / WIDTH + 0.5) / HEIGHT);
+            const double value = square_value(x, y, c, limit, type, type + 1);
+
+            if (fabs(20.0 * ((double)seen[4 * k] - 0.5) - value) > 1e-4)
+                fail_msg("%s: pixel %d is %f instead of %f", text, k, 20.0 * ((double)seen[4 * k] - 0.5), value);
+        }
+        free(seen);
+    }
+}
+
 static void without_a_frequency_a_phase_moves_neither_quilts_nor_images(void **state)
 {
     static const char *const patterns[] = { "quilted control0 .3 control1 .7", "image_pattern { function 8, 8 { x*y } }" };
@@ -263,6 +312,7 @@ int main(void)
         cmocka_unit_test(functions_repeat_with_a_period_of_one),
         cmocka_unit_test(caps_of_a_sor_go_on_from_their_rims),
         cmocka_unit_test(steps_of_fractals_may_begin_again),
+        cmocka_unit_test(long_sequences_end_where_their_steps_lead),
         cmocka_unit_test(the_lengths_of_both_vectors_are_their_weights),
         cmocka_unit_test(the_place_of_a_slope_is_in_the_world),
         cmocka_unit_test(light_through_slopes_is_filtered_by_its_own_ray),
