@@ -1,4 +1,5 @@
 #include "base/elementary.h"
+#include "base/powers.h"
 #include "texture/cube.h"
 #include "texture/pattern.h"
 
@@ -62,13 +63,43 @@ SIMD_INLINE double measure(double metric, double x, double y, double z)
     return (elementary_pow(fabs(x), metric) + elementary_pow(fabs(y), metric)) + elementary_pow(fabs(z), metric);
 }
 
-SIMD_INLINE double distance(const crackle *c, double metric, double measured)
+/* Powers of up to `count` numbers, with room for whole vectors behind them. */
+static void raise(double exponent, uint32_t count, double *value)
+{
+    const uint32_t whole = (count + 7) & ~7u;
+
+    for (uint32_t i = count; i < whole; i++)
+        value[i] = 1.0;
+    for (uint32_t i = 0; i < whole; i += LANES_MAX)
+        powers_raise(exponent, whole - i < LANES_MAX ? whole - i : LANES_MAX, value + i);
+}
+
+/* What a component of this size counts for in a measure. */
+SIMD_INLINE void find_parts(double metric, uint32_t n, double *value)
 {
     if (metric == 2.0)
-        return sqrt(measured + c->offset * c->offset);
-    if (metric == 1.0)
-        return measured + c->offset;
-    return elementary_pow(c->offset == 0.0 ? measured : measured + elementary_pow(c->offset, metric), 1.0 / metric);
+        for (uint32_t i = 0; i < n; i++)
+            value[i] = value[i] * value[i];
+    else if (metric != 1.0)
+        raise(metric, n, value);
+}
+
+/* Distances, from what was measured. */
+SIMD_INLINE void find_distances(const crackle *c, double metric, uint32_t n, double *value)
+{
+    if (metric == 2.0) {
+        for (uint32_t i = 0; i < n; i++)
+            value[i] = sqrt(value[i] + c->offset * c->offset);
+        return;
+    }
+    if (metric == 1.0 || c->offset != 0.0) {
+        const double more = metric == 1.0 ? c->offset : elementary_pow(c->offset, metric);
+
+        for (uint32_t i = 0; i < n; i++)
+            value[i] = value[i] + more;
+    }
+    if (metric != 1.0)
+        raise(1.0 / metric, n, value);
 }
 
 SIMD_INLINE double smaller(double a, double b) { return a < b ? a : b; }
@@ -142,64 +173,82 @@ static double spread_of(double metric)
     return metric > 0.0 ? elementary_pow(3.0, fabs(1.0 - 2.0 / metric)) * (1.0 + 0x1p-20) : HUGE_VAL;
 }
 
-/* Vectors to the points that may count. The rest of a vector repeats the last one. */
+/* Sizes of the components of vectors to points that may count, one vector behind the other, and where those of each lane end. */
 typedef struct candidates {
-    SIMD_ALIGNED double x[BUFFER];
-    SIMD_ALIGNED double y[BUFFER];
-    SIMD_ALIGNED double z[BUFFER];
-    uint32_t n;
+    SIMD_ALIGNED double size[3 * LANES_MAX];
+    uint32_t end[LANES_MAX], n;
 } candidates;
 
 SIMD_INLINE void choose(double spread, int last, const neighbourhood *near, pov_vec3 at, candidates *out)
 {
     double square[CUBES], least[NEAREST] = { HUGE_VAL, HUGE_VAL, HUGE_VAL };
-    uint32_t n = 0;
+    uint32_t chosen = 0;
 
     for (int c = 0; c < CUBES; c++)
         square[c] = measure(2.0, near->x[c] - at.x, near->y[c] - at.y, near->z[c] - at.z);
     for (int c = 0; c < CUBES; c++)
         put_one(least, square[c]);
-    for (int c = 0; c < CUBES; c++) {
-        out->x[n] = near->x[c] - at.x;
-        out->y[n] = near->y[c] - at.y;
-        out->z[n] = near->z[c] - at.z;
-        n += !(square[c] > least[last] * spread);
+    for (int c = 0; c < CUBES; c++)
+        chosen |= (uint32_t)!(square[c] > least[last] * spread) << c;
+    for (; chosen; chosen &= chosen - 1) {
+        const uint32_t c = first_of64(chosen);
+        double *size = &out->size[3 * out->n++];
+
+        size[0] = fabs(near->x[c] - at.x);
+        size[1] = fabs(near->y[c] - at.y);
+        size[2] = fabs(near->z[c] - at.z);
     }
-    out->n = n;
-    for (uint32_t i = n; i < lanes_whole(n); i++) {
-        out->x[i] = out->x[n - 1];
-        out->y[i] = out->y[n - 1];
-        out->z[i] = out->z[n - 1];
+}
+
+/* The smallest of the candidates of lanes from `first` on. */
+static void take_least(double metric, candidates *some, uint32_t first, uint32_t end, members *m)
+{
+    find_parts(metric, 3 * some->n, some->size);
+    for (uint32_t i = first, k = 0; i < end; i++) {
+        double least[NEAREST] = { HUGE_VAL, HUGE_VAL, HUGE_VAL };
+
+        for (; k < some->end[i]; k++)
+            put_one(least, (some->size[3 * k] + some->size[3 * k + 1]) + some->size[3 * k + 2]);
+        for (int j = 0; j < NEAREST; j++)
+            m->least[j][i] = least[j];
     }
 }
 
 SIMD_INLINE void find_least_other(double metric, double spread, int last, const neighbourhood *near, members *m)
 {
-    for (uint32_t i = 0; i < m->n; i++) {
-        SIMD_ALIGNED double measured[BUFFER];
-        double least[NEAREST] = { HUGE_VAL, HUGE_VAL, HUGE_VAL };
-        candidates some;
+    candidates some;
+    uint32_t first = 0;
 
+    some.n = 0;
+    for (uint32_t i = 0; i < m->n; i++) {
+        if (some.n + CUBES > LANES_MAX) {
+            take_least(metric, &some, first, i, m);
+            some.n = 0;
+            first = i;
+        }
         choose(spread, last, near, lanes_at(&m->at, i), &some);
-        for (uint32_t k = 0; k < lanes_whole(some.n); k++)
-            measured[k] = measure(metric, some.x[k], some.y[k], some.z[k]);
-        for (uint32_t k = 0; k < some.n; k++)
-            put_one(least, measured[k]);
-        for (int k = 0; k < NEAREST; k++)
-            m->least[k][i] = least[k];
+        some.end[i] = some.n;
     }
+    take_least(metric, &some, first, m->n, m);
 }
 
 /* ---- the cubes behind the neighbours ---- */
 
 SIMD_INLINE double margin(double f) { return f < 0.5 ? f : 1.0 - f; }
 
-/* Distance, in the measure, within which no point of a cube behind the neighbours lies. */
-SIMD_INLINE double reach_of(double metric, pov_vec3 f)
-{
-    const double reach = 1.0 + smaller(margin(f.x), smaller(margin(f.y), margin(f.z)));
+/* Distance within which no point of a cube behind the neighbours lies. */
+SIMD_INLINE double reach_of(double x, double y, double z) { return 1.0 + smaller(margin(x), smaller(margin(y), margin(z))); }
 
-    return measure(metric, reach, 0.0, 0.0);
+/* The same of lanes, in the measure. */
+SIMD_INLINE void find_reaches(double metric, const members *m, double *restrict reach)
+{
+    const double zero = metric > 0.0 ? 0.0 : elementary_pow(0.0, metric);
+
+    for (uint32_t i = 0; i < m->n; i++)
+        reach[i] = reach_of(m->at.x[i], m->at.y[i], m->at.z[i]);
+    find_parts(metric, m->n, reach);
+    for (uint32_t i = 0; i < m->n && zero != 0.0; i++)
+        reach[i] = (reach[i] + zero) + zero;
 }
 
 /* From a point to the nearest side of the cubes whose number, from the point's own on, is i. */
@@ -208,35 +257,67 @@ static double gap(int i, double f)
     return i < 0 ? f - (i + 1) : i > 0 ? i - f : 0.0;
 }
 
-/* Cubes that are too far away to count are left out. */
-SIMD_NOINLINE static void search_shell(const noise_tables *t, double metric, int last, pov_vec3 corner, pov_vec3 f,
-                                       double least[NEAREST])
-{
-    for (int i = -2; i <= 2; i++)
-        for (int j = -2; j <= 2; j++)
-            for (int k = -2; k <= 2; k++) {
-                const double *random;
+/* Cubes behind the neighbours, by their numbers from the point's own on. */
+enum { SIDE = 5, BEHIND = SIDE * SIDE * SIDE - CUBES };
+typedef struct shell { int8_t at[BEHIND][3]; uint32_t n; } shell;
 
-                if ((abs(i) < 2 && abs(j) < 2 && abs(k) < 2) ||
-                    measure(metric, gap(i, f.x), gap(j, f.y), gap(k, f.z)) > least[last])
+/* Those that are not too far away to count. */
+SIMD_NOINLINE static void find_shell(double metric, pov_vec3 f, double most, shell *out)
+{
+    SIMD_ALIGNED double part[16];
+
+    for (int i = 0; i < SIDE; i++) {
+        part[i] = gap(i - 2, f.x);
+        part[SIDE + i] = gap(i - 2, f.y);
+        part[2 * SIDE + i] = gap(i - 2, f.z);
+    }
+    find_parts(metric, 3 * SIDE, part);
+    out->n = 0;
+    for (int i = 0; i < SIDE; i++)
+        for (int j = 0; j < SIDE; j++)
+            for (int k = 0; k < SIDE; k++) {
+                const bool near = i % 4 != 0 && j % 4 != 0 && k % 4 != 0;
+                int8_t *at = out->at[out->n];
+
+                if (near || (part[i] + part[SIDE + j]) + part[2 * SIDE + k] > most)
                     continue;
-                random = &t->cell[noise_hash(t, cube_of(corner.x + i), cube_of(corner.y + j), cube_of(corner.z + k))];
-                put_one(least, measure(metric, i + random[0] - f.x, j + random[1] - f.y, k + random[2] - f.z));
+                at[0] = (int8_t)(i - 2);
+                at[1] = (int8_t)(j - 2);
+                at[2] = (int8_t)(k - 2);
+                out->n++;
             }
+}
+
+static const double *random_of(const noise_tables *t, pov_vec3 corner, int i, int j, int k)
+{
+    return &t->cell[noise_hash(t, cube_of(corner.x + i), cube_of(corner.y + j), cube_of(corner.z + k))];
+}
+
+static void search_shell(const noise_tables *t, double metric, int last, pov_vec3 corner, pov_vec3 f, double least[NEAREST])
+{
+    shell behind;
+
+    find_shell(metric, f, least[last], &behind);
+    for (uint32_t c = 0; c < behind.n; c++) {
+        const int8_t *at = behind.at[c];
+        const double *random = random_of(t, corner, at[0], at[1], at[2]);
+
+        put_one(least, measure(metric, at[0] + random[0] - f.x, at[1] + random[1] - f.y, at[2] + random[2] - f.z));
+    }
 }
 
 /* ---- the pattern ---- */
 
 static inline pov_vec3 corner_of(pov_vec3 p) { return pov_vec3_of(floor(p.x), floor(p.y), floor(p.z)); }
 
-SIMD_INLINE double value_of(const crackle *c, double metric, const double least[NEAREST])
+SIMD_INLINE double value_of(const crackle *c, double first, double second, double third)
 {
-    double value = c->form.x * distance(c, metric, least[0]);
+    double value = c->form.x * first;
 
     if (c->form.y != 0.0)
-        value = value + c->form.y * distance(c, metric, least[1]);
+        value = value + c->form.y * second;
     if (c->form.z != 0.0)
-        value = value + c->form.z * distance(c, metric, least[2]);
+        value = value + c->form.z * third;
     return value < 0.0 ? 0.0 : value > 1.0 ? 1.0 : value;
 }
 
@@ -267,16 +348,24 @@ static uint64_t collect(const vec_lanes *at, const vec_lanes *corner, pov_vec3 o
     return found;
 }
 
-SIMD_INLINE void put_values(const pattern_input *in, double metric, int last, pov_vec3 corner, const members *m, double *value)
+SIMD_INLINE void put_values(const pattern_input *in, double metric, int last, pov_vec3 corner, members *m, double *value)
 {
-    for (uint32_t i = 0; i < m->n; i++) {
-        const pov_vec3 f = lanes_at(&m->at, i);
-        double least[NEAREST] = { m->least[0][i], m->least[1][i], m->least[2][i] };
+    const crackle *c = in->of->self;
+    SIMD_ALIGNED double reach[LANES_MAX];
 
-        if (least[last] > reach_of(metric, f))
-            search_shell(in->noise, metric, last, corner, f, least);
-        value[m->lane[i]] = value_of(in->of->self, metric, least);
-    }
+    find_reaches(metric, m, reach);
+    for (uint32_t i = 0; i < m->n; i++)
+        if (m->least[last][i] > reach[i]) {
+            double least[NEAREST] = { m->least[0][i], m->least[1][i], m->least[2][i] };
+
+            search_shell(in->noise, metric, last, corner, lanes_at(&m->at, i), least);
+            for (int k = 0; k < NEAREST; k++)
+                m->least[k][i] = least[k];
+        }
+    for (int k = 0; k <= last; k++)
+        find_distances(c, metric, m->n, m->least[k]);
+    for (uint32_t i = 0; i < m->n; i++)
+        value[m->lane[i]] = value_of(c, m->least[0][i], m->least[1][i], m->least[2][i]);
 }
 
 /* usual: the metric is 2. last: of the three distances, the last that counts. A lane that is not a number is in no cube. */
@@ -315,57 +404,113 @@ SIMD_CLONES static void find_other(const pattern_input *in, double metric, int l
     find_values(in, false, metric, last, value);
 }
 
-/* The nearest point so far, and the distance to it, in the measure. */
-typedef struct found_point { double least; pov_vec3 at; } found_point;
+/* ---- the nearest point itself ---- */
 
-/* Ask the cubes around a point, or those behind these. */
-static void ask_cubes(const noise_tables *t, double metric, pov_vec3 corner, pov_vec3 f, bool behind, found_point *out)
+static pov_vec3 point_in(const noise_tables *t, pov_vec3 corner, int i, int j, int k)
 {
-    for (int i = -2; i <= 2; i++)
-        for (int j = -2; j <= 2; j++)
-            for (int k = -2; k <= 2; k++) {
-                const double *random;
-                double measured;
+    const double *random = random_of(t, corner, i, j, k);
 
-                if (behind != (abs(i) == 2 || abs(j) == 2 || abs(k) == 2))
-                    continue;
-                random = &t->cell[noise_hash(t, cube_of(corner.x + i), cube_of(corner.y + j), cube_of(corner.z + k))];
-                measured = measure(metric, i + random[0] - f.x, j + random[1] - f.y, k + random[2] - f.z);
-                if (measured < out->least) {
-                    out->least = measured;
-                    out->at = pov_vec3_of(corner.x + i + random[0], corner.y + j + random[1], corner.z + k + random[2]);
-                }
-            }
+    return pov_vec3_of(corner.x + i + random[0], corner.y + j + random[1], corner.z + k + random[2]);
 }
 
-static pov_vec3 nearest(const noise_tables *t, double metric, pov_vec3 p)
+/* Of the cubes behind the neighbours, where a point is nearer than this. */
+static pov_vec3 nearest_behind(const noise_tables *t, double metric, pov_vec3 corner, pov_vec3 f, double least, pov_vec3 at)
 {
-    const pov_vec3 corner = corner_of(p), f = pov_sub(p, corner);
-    found_point best = { HUGE_VAL, p };
+    shell behind;
 
-    ask_cubes(t, metric, corner, f, false, &best);
-    if (best.least > reach_of(metric, f))
-        ask_cubes(t, metric, corner, f, true, &best);
-    return best.at;
+    find_shell(metric, f, least, &behind);
+    for (uint32_t c = 0; c < behind.n; c++) {
+        const int i = behind.at[c][0], j = behind.at[c][1], k = behind.at[c][2];
+        const double *random = random_of(t, corner, i, j, k);
+        const double measured = measure(metric, i + random[0] - f.x, j + random[1] - f.y, k + random[2] - f.z);
+
+        if (measured < least) {
+            least = measured;
+            at = point_in(t, corner, i, j, k);
+        }
+    }
+    return at;
+}
+
+/* near: of the corner. A place that is not a number is its own. */
+SIMD_INLINE pov_vec3 find_nearest(const noise_tables *t, double metric, const neighbourhood *near, pov_vec3 corner, pov_vec3 p)
+{
+    const pov_vec3 f = pov_sub(p, corner);
+    SIMD_ALIGNED double size[3 * CUBES + 7];
+    double least = HUGE_VAL;
+    int which = -1;
+    pov_vec3 at = p;
+
+    for (int c = 0; c < CUBES; c++) {
+        size[c] = fabs(near->x[c] - f.x);
+        size[CUBES + c] = fabs(near->y[c] - f.y);
+        size[2 * CUBES + c] = fabs(near->z[c] - f.z);
+    }
+    find_parts(metric, 3 * CUBES, size);
+    for (int c = 0; c < CUBES; c++)
+        size[c] = (size[c] + size[CUBES + c]) + size[2 * CUBES + c];
+    for (int c = 0; c < CUBES; c++) {
+        which = size[c] < least ? c : which;
+        least = smaller(size[c], least);
+    }
+    if (which >= 0)
+        at = point_in(t, corner, which / 9 - 1, which / 3 % 3 - 1, which % 3 - 1);
+    if (least > measure(metric, reach_of(f.x, f.y, f.z), 0.0, 0.0))
+        return nearest_behind(t, metric, corner, f, least, at);
+    return at;
 }
 
 pov_vec3 cube_nearest(const noise_tables *t, pov_vec3 at)
 {
-    return nearest(t, 2.0, at);
+    const pov_vec3 corner = corner_of(at);
+    neighbourhood near;
+
+    fill(t, corner, &near);
+    return find_nearest(t, 2.0, &near, corner, at);
+}
+
+SIMD_INLINE void find_all_nearest(const pattern_input *in, double metric, vec_lanes *out)
+{
+    pov_vec3 corner = pov_vec3_of(NAN, NAN, NAN);
+    neighbourhood near;
+
+    for (uint32_t i = 0; i < in->n; i++) {
+        const pov_vec3 own = corner_of(lanes_at(in->at, i));
+
+        if (own.x != corner.x || own.y != corner.y || own.z != corner.z)
+            fill(in->noise, own, &near);
+        corner = own;
+        lanes_put(out, i, find_nearest(in->noise, metric, &near, own, lanes_at(in->at, i)));
+    }
+    for (uint32_t i = in->n; i < lanes_whole(in->n); i++)
+        lanes_put(out, i, lanes_at(out, in->n - 1));
+}
+
+SIMD_CLONES static void find_nearest_usual(const pattern_input *in, vec_lanes *out) { find_all_nearest(in, 2.0, out); }
+SIMD_CLONES static void find_nearest_other(const pattern_input *in, double metric, vec_lanes *out) { find_all_nearest(in, metric, out); }
+
+/* Noise at the nearest points. */
+static void evaluate_solid(const pattern_input *in, double metric, double *value)
+{
+    vec_lanes at;
+
+    if (metric == 2.0)
+        find_nearest_usual(in, &at);
+    else
+        find_nearest_other(in, metric, &at);
+    noise_values(in->noise, in->generator, &at, 1.0, in->n, value);
 }
 
 static void evaluate(const pattern_input *in, double *value)
 {
     const crackle *c = in->of->self;
 
-    if (!c->solid && c->metric != 2.0)
+    if (c->solid)
+        evaluate_solid(in, c->metric, value);
+    else if (c->metric != 2.0)
         find_other(in, c->metric, c->form.z != 0.0 ? 2 : 1, value);
-    else if (!c->solid)
+    else
         (c->form.z != 0.0 ? find_three : find_two)(in, value);
-    if (!c->solid)
-        return;
-    for (uint32_t i = 0; i < in->n; i++)
-        value[i] = noise_value_at(in->noise, in->generator, nearest(in->noise, c->metric, lanes_at(in->at, i)));
 }
 
 static const crackle usual = { { -1.0, 1.0, 0.0 }, 2.0, 0.0, false };
