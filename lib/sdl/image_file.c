@@ -6,6 +6,7 @@
 #include "sdl/include.h"
 #include "sdl/limit.h"
 #include "sdl/report.h"
+#include "sdl/text_file.h"
 #include "sdl/value.h"
 
 #include <ctype.h>
@@ -14,6 +15,7 @@
 /* Of a file, in the scene's memory. */
 typedef struct image_file {
     const char *path, *format;
+    uint32_t written;            /* text_file_kept() */
     image image;
     struct image_file *next;
 } image_file;
@@ -42,6 +44,10 @@ static bool find(pov_reader *in, const string *name, const char *format, char pa
     char own[ENDING_MAX + 2] = ".";
     const char *endings[] = { "", own, NULL, NULL };
 
+    if (text_file_kept(in, name) > 0 && name->length < INCLUDE_PATH_MAX) {
+        memcpy(path, name->text, name->length + 1);
+        return true;
+    }
     strncat(own, format, ENDING_MAX);
     for (int i = 0; i < FORMATS; i++)
         if (strcmp(formats[i].ending, format) == 0)
@@ -52,11 +58,14 @@ static bool find(pov_reader *in, const string *name, const char *format, char pa
     return false;
 }
 
-static char *read_bytes(pov_reader *in, const char *path, size_t *count)
+/* What the scene wrote itself comes first. */
+static char *read_bytes(pov_reader *in, const string *name, const char *path, size_t *count)
 {
     pov_error err;
-    char *bytes;
+    char *bytes = text_file_copy(in, name, count);
 
+    if (bytes || in->failed)
+        return bytes;
     if (limit_read_file(in, path, &bytes, count, &err) < 0) {
         report_fail(in, &in->value, err.status, "%.200s: %.200s", path, err.message);
         return NULL;
@@ -142,11 +151,11 @@ static const pov_image_format *find_format(pov_reader *in, const char *ending)
     return NULL;
 }
 
-static void decode(pov_reader *in, const char *path, const pov_image_format *format, image *out)
+static void decode(pov_reader *in, const string *name, const char *path, const pov_image_format *format, image *out)
 {
     decoding d = { in, out, 0, strcmp(format->ending, "png") == 0, 0 };
     pov_raster_target target = { &d, begin };
-    char *bytes = read_bytes(in, path, &d.count);
+    char *bytes = read_bytes(in, name, path, &d.count);
     const char *wrong;
 
     if (!bytes)
@@ -179,7 +188,7 @@ static void ending_of(const string *name, char out[ENDING_MAX])
     out[i] = '\0';
 }
 
-static image_file *add(pov_reader *in, const char *path, const char *ending)
+static image_file *add(pov_reader *in, const string *name, const char *path, const char *ending)
 {
     image_file *file = state_alloc(in, sizeof *file, 16);
     const pov_image_format *format;
@@ -190,9 +199,10 @@ static image_file *add(pov_reader *in, const char *path, const char *ending)
     file->format = keep_text(in, ending);
     format = in->failed ? NULL : find_format(in, ending);
     if (format)
-        decode(in, path, format, &file->image);
+        decode(in, name, path, format, &file->image);
     if (in->failed)
         return NULL;
+    file->written = text_file_kept(in, name);
     file->next = in->images;
     in->images = file;
     return file;
@@ -202,6 +212,7 @@ const image *image_file_read(pov_reader *in, const string *name, const char *for
 {
     char path[INCLUDE_PATH_MAX], ending[ENDING_MAX];
     image_file *file;
+    uint32_t written;
 
     if (in->failed)
         return NULL;
@@ -210,10 +221,11 @@ const image *image_file_read(pov_reader *in, const string *name, const char *for
         format = "png";          /* as POV-Ray has it on Unix */
     if (in->failed || !find(in, name, format ? format : ending, path))
         return NULL;
+    written = text_file_kept(in, name);
     for (file = in->images; file; file = file->next)
-        if (strcmp(file->path, path) == 0 && strcmp(file->format, format ? format : ending) == 0)
+        if (file->written == written && strcmp(file->path, path) == 0 && strcmp(file->format, format ? format : ending) == 0)
             return &file->image;
-    file = add(in, path, format ? format : ending);
+    file = add(in, name, path, format ? format : ending);
     return file ? &file->image : NULL;
 }
 
@@ -298,7 +310,7 @@ bool image_file_read_volume(pov_reader *in, const string *name, density_file *ou
 
     if (in->failed || !find(in, name, "df3", path))
         return false;
-    bytes = read_bytes(in, path, &count);
+    bytes = read_bytes(in, name, path, &count);
     if (!bytes)
         return false;
     done = take_volume(in, path, (const unsigned char *)bytes, count, out);

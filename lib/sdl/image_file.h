@@ -1,5 +1,5 @@
 /* image_file.h - images and volumes that a scene names. Each file is read once, in the folders that scenes are read
- * from, by the plugin of its format. */
+ * from, by the plugin of its format; one that the scene wrote, once each time that it was written. */
 #ifndef SDL_IMAGE_FILE_H
 #define SDL_IMAGE_FILE_H
 

@@ -201,7 +201,7 @@ bool include_exists(pov_reader *in, const string *name)
     static const char *const as_it_is[] = { "", NULL };
     char path[INCLUDE_PATH_MAX];
 
-    return text_file_kept(in, name) || include_find_with(in, name, as_it_is, path);
+    return text_file_kept(in, name) > 0 || include_find_with(in, name, as_it_is, path);
 }
 
 /* ---- texts ---- */

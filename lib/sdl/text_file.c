@@ -17,6 +17,7 @@ typedef struct written {
     struct written *next;
     char *bytes;
     size_t count, capacity;
+    uint32_t times;              /* that it was opened or closed */
     bool is_open;
     char name[];
 } written;
@@ -39,9 +40,11 @@ static written *find(const pov_reader *in, const char *name)
     return NULL;
 }
 
-bool text_file_kept(const pov_reader *in, const string *name)
+uint32_t text_file_kept(const pov_reader *in, const string *name)
 {
-    return find(in, name->text) != NULL;
+    const written *w = find(in, name->text);
+
+    return w ? w->times : 0;
 }
 
 char *text_file_copy(pov_reader *in, const string *name, size_t *length)
@@ -119,6 +122,7 @@ static void store(pov_reader *in, written *w)
     pov_error error;
 
     w->is_open = false;
+    w->times++;
     if (!is_allowed(in, w->name)) {
         report_warn(in, &in->last, "\"%s\" is kept for this scene alone: writing files was not allowed", w->name);
         return;
@@ -194,17 +198,18 @@ static written *open_to_write(pov_reader *in, const string *name, bool appends)
     char path[INCLUDE_PATH_MAX], *bytes;
     size_t length;
     pov_error error;
+    bool has_begun;
 
     if (w && !appends)
         w->count = 0;
-    if (w) {
-        w->is_open = true;
-        return w;
-    }
-    w = create(in, name);
-    if (w)
-        w->is_open = true;
-    if (!w || !appends || !include_find(in, name, path))
+    has_begun = w != NULL;
+    if (!w)
+        w = create(in, name);
+    if (!w)
+        return NULL;
+    w->is_open = true;
+    w->times++;
+    if (has_begun || !appends || !include_find(in, name, path))
         return w;
     if (limit_read_file(in, path, &bytes, &length, &error) < 0) {
         report_pass_on(in, &in->value, &error);

@@ -10,8 +10,8 @@ void text_file_read(pov_reader *in, const place *at);
 void text_file_write(pov_reader *in, const place *at);
 void text_file_close(pov_reader *in, const place *at);
 
-/* Has the scene written a file of that name? */
-bool text_file_kept(const pov_reader *in, const string *name);
+/* How often the scene began and ended to write a file of that name; 0: never. */
+uint32_t text_file_kept(const pov_reader *in, const string *name);
 /* Its bytes, with an end mark that is not counted, for the caller to free. NULL: there is none, or no memory. */
 char *text_file_copy(pov_reader *in, const string *name, size_t *length);
 /* At the end of the text: what it has not closed. */

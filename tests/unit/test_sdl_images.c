@@ -9,6 +9,7 @@
 #include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
+#include <unistd.h>
 
 #include <cmocka.h>
 
@@ -412,6 +413,31 @@ static void equal_patterns_of_equal_sides_make_one_image(void **state)
     end(&b);
 }
 
+/* An image of one pixel, a volume of one value; what is written anew is read anew. */
+static void what_a_scene_writes_is_an_image_of_it(void **state)
+{
+    static const char text[] =
+        "} #macro Of(V) #fopen F \"of.pgm\" write #write (F, \"P2 1 1 255 \", V, \"\\n\") #fclose F"
+        " plane { z, 0 pigment { image_map { pgm \"of.pgm\" gamma 1 } } } #end Of(51) Of(51) Of(255)"
+        " #fopen F \"v.df3\" write #write (F, uint16be <1, 1, 1>, uint8 102) #fclose F"
+        " plane { z, 0 pigment { density_file df3 \"v.df3\" } } sphere { 0, 1";
+    static const float red[4] = { 51 / 255.0f, 51 / 255.0f, 1.0f, 102 / 255.0f };
+    static texture_points points;
+    bench b;
+    pigment p;
+
+    (void)state;
+    if (read_scene(&b, text) != POV_OK)
+        fail_msg("%s", b.error.message);
+    texture_point(&points, 0, pov_vec3_of(0.5, 0.5, 0.5), pov_vec3_of(0.0, 0.0, 0.0));
+    for (uint32_t i = 0; i < 4; i++) {
+        pigment_eval(&b.model, b.model.materials.items[b.model.leaves.items[i + 1].material].texture->pigment, &points, 1, &p);
+        assert_float_equal(p.color.r, red[i], 1e-6);
+    }
+    end(&b);
+    assert_int_equal(access("of.pgm", F_OK), -1);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -433,6 +459,7 @@ int main(void)
         cmocka_unit_test(numbers_of_textures_are_decoded_too),
         cmocka_unit_test(numbers_of_textures_are_interpolated_before_they_are_cut_down),
         cmocka_unit_test(a_pattern_makes_the_image_of_a_formula_that_calls_it),
+        cmocka_unit_test(what_a_scene_writes_is_an_image_of_it),
     };
 
     return cmocka_run_group_tests_name("images in scenes", tests, NULL, NULL);
