@@ -20,6 +20,12 @@ static const object_parsed *read_object(pov_reader *in)
     return NULL;
 }
 
+/* As in POV-Ray a polygon may be asked, and holds nothing; other patches may not. */
+static bool is_polygon(const object_parsed *o)
+{
+    return o->kind == OBJECT_LEAF && strcmp(o->leaf.shape->keyword, "polygon") == 0;
+}
+
 static void read_inside(pov_reader *in, const intrinsic *row, value *out)
 {
     const object_parsed *o;
@@ -31,9 +37,9 @@ static void read_inside(pov_reader *in, const intrinsic *row, value *out)
     state_accept(in, ',');
     point = expression_vector(in);
     state_close(in, ')');
-    if (o && !in->failed && !object_is_solid(o))
+    if (o && !in->failed && !object_is_solid(o) && !is_polygon(o))
         report_fail(in, &in->value, POV_E_SYNTAX, "this object has no inside");
-    out->as.v[0] = o && !in->failed && object_holds(in, o, point);
+    out->as.v[0] = o && !in->failed && object_is_solid(o) && object_holds(in, o, point);
 }
 
 /* The variable that is to have the normal: the name of a vector, or an element of an array. It has been taken; the value

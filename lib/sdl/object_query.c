@@ -6,6 +6,42 @@
 #include <math.h>
 #include <string.h>
 
+/* ---- what there is of it ---- */
+
+static object_content turned_content(object_content c)
+{
+    return c == CONTENT_NOTHING ? CONTENT_EVERYTHING : c == CONTENT_EVERYTHING ? CONTENT_NOTHING : c;
+}
+
+object_content object_content_of(const object_parsed *o)
+{
+    for (const object_parsed *clip = o->clips; clip; clip = clip->next)
+        if (object_content_of(clip) == CONTENT_NOTHING)
+            return CONTENT_NOTHING;
+    return o->flags & LEAF_INVERSE ? turned_content(o->content) : o->content;
+}
+
+/* Of a union all surfaces are seen, whatever else is in it. Lights are no members. */
+object_content object_content_of_members(const object_parsed *o)
+{
+    static const object_content none[] = { [NODE_UNION] = CONTENT_NOTHING, [NODE_MERGE] = CONTENT_NOTHING,
+                                           [NODE_INTERSECTION] = CONTENT_EVERYTHING, [NODE_DIFFERENCE] = CONTENT_EVERYTHING };
+    const object_content decides = o->op == NODE_UNION ? CONTENT_SHAPES : turned_content(none[o->op]);
+    object_content found = none[o->op];
+
+    for (const object_parsed *member = o->first; member; member = member->next) {
+        const bool cuts = o->op == NODE_DIFFERENCE && member != o->first;
+        const object_content c = cuts ? turned_content(object_content_of(member)) : object_content_of(member);
+
+        if (member->kind == OBJECT_LIGHT || c == none[o->op])
+            continue;
+        found = c;
+        if (c == decides)
+            break;
+    }
+    return found;
+}
+
 /* ---- points ---- */
 
 static bool holds_as(pov_reader *in, const object_parsed *o, pov_vec3 point, bool cuts);
@@ -23,7 +59,7 @@ static bool group_holds(pov_reader *in, const object_parsed *o, pov_vec3 point, 
         if (holds == any)
             return any;
     }
-    return o->first ? !any : turned;
+    return !any;
 }
 
 /* Is the point in all that clips the object? Of its transformations only those behind a clip move this one. */

@@ -11,6 +11,10 @@ typedef struct object_hit { double t; pov_vec3 normal; } object_hit;
 bool object_trace(pov_reader *in, const object_parsed *o, pov_vec3 origin, pov_vec3 direction, object_hit *out);
 /* Patches and lights have no inside. */
 bool object_is_solid(const object_parsed *o);
+/* As in POV-Ray an intersection or difference of nothing is everywhere, a union or merge nowhere. */
+object_content object_content_of(const object_parsed *o);
+/* The same of its members alone, whose contents are known. */
+object_content object_content_of_members(const object_parsed *o);
 bool object_holds(pov_reader *in, const object_parsed *o, pov_vec3 point);
 /* False: it has no end, or there is nothing of it. What is not drawn yet has the unit cube. */
 bool object_bounds(pov_reader *in, const object_parsed *o, pov_box *out);

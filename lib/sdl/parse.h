@@ -28,6 +28,9 @@ typedef struct surface_parsed {
 /* GROUP: made of others. MISSING: a kind of object that is not drawn yet. */
 typedef enum object_kind { OBJECT_LEAF, OBJECT_GROUP, OBJECT_LIGHT } object_kind;
 
+/* Of a group in which no shape is, or in which what is not there, or is everywhere, decides. */
+typedef enum object_content { CONTENT_SHAPES, CONTENT_NOTHING, CONTENT_EVERYTHING } object_content;
+
 /* An object with all that its block says; as the value of a name it is never written again. */
 typedef struct object_parsed {
     object_kind kind;
@@ -39,6 +42,7 @@ typedef struct object_parsed {
     const transform *map;
     uint32_t flags;
     struct object_parsed *first, *next;   /* members of a group, in their order */
+    object_content content;      /* of them; see object_content_of() */
     const texture *const *parts; /* textures of parts of a leaf */
     uint32_t part_count;
     bool both_sides;             /* the parts are seen from the back as from the front */

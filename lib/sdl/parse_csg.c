@@ -15,6 +15,7 @@ typedef struct around {
     const object_parsed *group;
     const transform *since;      /* only its transformations behind this one hold */
     bool cuts;                   /* the member that is added is what the group is without */
+    bool is_void;                /* nothing is left of it but its lights */
     uint32_t lights;             /* number of the light group that this is or is in; 0: none */
 } around;
 
@@ -357,6 +358,13 @@ static bool add_members(pov_reader *in, around *here, members which, const group
     return !in->failed && children.count > 0;
 }
 
+/* A union of nothing may have lights that look like something. */
+static bool is_void(const object_parsed *o, const around *a)
+{
+    return (a && a->is_void) || (o->op != NODE_UNION && o->content != CONTENT_SHAPES) ||
+           (o->clips && object_content_of(o) == CONTENT_NOTHING);
+}
+
 static bool add_parts(pov_reader *in, around *here, const group_node *shape, node_ref *out)
 {
     group_node both = *shape;
@@ -373,7 +381,7 @@ static bool add_parts(pov_reader *in, around *here, const group_node *shape, nod
 
 static bool add_group(pov_reader *in, const object_parsed *o, const around *a, node_ref *out)
 {
-    around here = { .outer = a, .group = o, .lights = find_lights(in, o, a) };
+    around here = { .outer = a, .group = o, .lights = find_lights(in, o, a), .is_void = is_void(o, a) };
     cutaway_list list;
     const bool cuts_away = parse_cutaway_begin(in, o, &list);
     const uint32_t leaf = (uint32_t)in->model->leaves.count;
@@ -398,6 +406,10 @@ static bool add_light_and_objects(pov_reader *in, const object_parsed *o, const 
     node_ref children[2] = { 0, 0 };
     bool is_through;
 
+    if (a && a->is_void) {
+        add_light(in, o, a, leaf);
+        return false;
+    }
     here.since = o->through ? o->through->since : NULL;
     is_through = o->through && add(in, o->through, &here, out);
     children[0] = is_through ? *out : 0;
@@ -415,7 +427,7 @@ static bool add_whole(pov_reader *in, const object_parsed *o, const around *a, n
 {
     switch (o->kind) {
     case OBJECT_LEAF:
-        return add_leaf(in, o, a, out);
+        return !is_void(o, a) && add_leaf(in, o, a, out);
     case OBJECT_GROUP:
         return !waits(in, o, a) && add_group(in, o, a, out);
     case OBJECT_LIGHT:
@@ -448,7 +460,7 @@ static bool add(pov_reader *in, const object_parsed *o, const around *a, node_re
     if (!VEC_PUSH(in->model->env, &children, *out))
         report_memory(in);
     for (const object_parsed *clip = o->clips; clip && !in->failed; clip = clip->next) {
-        const around here = { a, o, clip->since, false, 0 };
+        const around here = { .outer = a, .group = o, .since = clip->since };
 
         if (!is_needless(in, o, clip) && add(in, clip, &here, &child) && !VEC_PUSH(in->model->env, &children, child))
             report_memory(in);

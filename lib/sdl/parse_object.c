@@ -2,6 +2,7 @@
 
 #include "sdl/expression.h"
 #include "sdl/host.h"
+#include "sdl/object_query.h"
 #include "sdl/parse_media.h"
 #include "sdl/parse_photons.h"
 #include "sdl/report.h"
@@ -438,7 +439,7 @@ static void read_leaf(pov_reader *in, symbol *word, object_parsed *o)
 
 /* ---- other objects ---- */
 
-static void read_members(pov_reader *in, object_parsed *o)
+static void read_members(pov_reader *in, const place *at, object_parsed *o)
 {
     object_parsed **end = &o->first, member;
 
@@ -447,6 +448,9 @@ static void read_members(pov_reader *in, object_parsed *o)
         if (*end)
             end = &(*end)->next;
     }
+    o->content = object_content_of_members(o);
+    if (!in->failed && !(o->first && o->first->next))
+        report_warn(in, at, o->first ? "there is only one object in this %s" : "there is nothing in this %s", model_op_keyword(o->op));
 }
 
 static void read_group(pov_reader *in, node_op op, object_parsed *o)
@@ -458,15 +462,10 @@ static void read_group(pov_reader *in, node_op op, object_parsed *o)
     o->op = op;
     state_advance(in);
     items_open(in, &b);
-    if (named_object(in)) {      /* a name that stands first is the whole */
+    if (named_object(in))        /* a name that stands first is the whole */
         take_named(in, o);
-        close_object(in, &b, o);
-        return;
-    }
-    read_members(in, o);
-    if (!in->failed && !(o->first && o->first->next))
-        report_warn(in, &at, o->first ? "there is only one object in this %s" : "there is nothing in this %s",
-                    model_op_keyword(op));
+    else
+        read_members(in, &at, o);
     close_object(in, &b, o);
 }
 

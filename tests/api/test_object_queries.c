@@ -147,13 +147,24 @@ static void a_triangle_holds_nothing(void **state)
     assert_value("#declare S = object { union { box { -1, 1 } triangle { x, y, z } } inverse }", "1 + inside(S, 9)", 1.0);
 }
 
-static void a_group_without_members_holds_nothing(void **state)
+static void a_polygon_may_be_asked_and_holds_nothing(void **state)
 {
     (void)state;
-    assert_value("#declare S = intersection { }", "1 + inside(S, 0)", 1.0);
+    assert_value("#declare S = polygon { 4, 0, x, y, 0 }", "1 + inside(S, <.2, .2, 0>)", 1.0);
+    assert_value("#declare S = object { polygon { 4, 0, x, y, 0 } inverse }", "1 + inside(S, <.2, .2, 1>)", 1.0);
+}
+
+static void a_union_of_nothing_is_nowhere_and_an_intersection_of_nothing_everywhere(void **state)
+{
+    (void)state;
+    assert_value("#declare S = intersection { }", "1 + inside(S, 0)", 2.0);
     assert_value("#declare S = union { }", "1 + inside(S, 0)", 1.0);
     assert_value("#declare S = object { union { } inverse }", "1 + inside(S, 0)", 2.0);
-    assert_value("#declare S = object { intersection { } inverse }", "1 + inside(S, 0)", 2.0);
+    assert_value("#declare S = object { intersection { } inverse }", "1 + inside(S, 0)", 1.0);
+    assert_value(TRACED("intersection { sphere { 0, 1 } union { } }"), "1 + vlength(N)", 1.0);
+    assert_value(TRACED("difference { sphere { 0, 1 } difference { } }"), "1 + vlength(N)", 1.0);
+    assert_value(TRACED("merge { sphere { 0, 1 } intersection { } }"), "1 + vlength(N)", 1.0);
+    assert_value(TRACED("union { sphere { 0, 1 } intersection { } }"), "1 + vlength(N)", 2.0);
 }
 
 /* Nor does a ray see more of what is left than the surface. */
@@ -231,7 +242,8 @@ int main(void)
         cmocka_unit_test(a_triangle_beside_solids_in_a_union_is_traced_in_a_solid),
         cmocka_unit_test(what_a_triangle_leaves_of_solids_is_traced),
         cmocka_unit_test(the_normals_of_a_smooth_triangle_are_blended_in_the_scene),
-        cmocka_unit_test(a_group_without_members_holds_nothing),
+        cmocka_unit_test(a_polygon_may_be_asked_and_holds_nothing),
+        cmocka_unit_test(a_union_of_nothing_is_nowhere_and_an_intersection_of_nothing_everywhere),
         cmocka_unit_test(a_lathe_of_bezier_splines_has_no_inside_nearer_than_its_points),
         cmocka_unit_test(no_crossing_is_met_twice),
     };

@@ -190,6 +190,44 @@ static void a_group_of_nothing_is_nothing(void **state)
     reading_end(&r);
 }
 
+/* Of a solid as much is left as of what its empty members are: all of it, or its lights. */
+static void a_group_of_nothing_in_a_solid_decides_what_is_left(void **state)
+{
+    static const struct { const char *text; unsigned leaves; } solids[] = {
+        { "intersection { sphere { 0, 1 } union { } }", 0 }, { "intersection { union { } sphere { 0, 1 } }", 0 },
+        { "intersection { sphere { 0, 1 } intersection { } }", 1 }, { "difference { sphere { 0, 1 } intersection { } }", 0 },
+        { "difference { sphere { 0, 1 } union { } }", 1 }, { "difference { sphere { 0, 1 } object { merge { } inverse } }", 0 },
+        { "difference { union { } sphere { 0, 1 } }", 0 }, { "merge { sphere { 0, 1 } difference { } }", 0 },
+        { "merge { sphere { 0, 1 } union { } }", 1 }, { "union { sphere { 0, 1 } intersection { } }", 1 },
+        { "sphere { 0, 1 clipped_by { union { } } }", 0 }, { "sphere { 0, 1 clipped_by { intersection { } } }", 1 },
+        { "intersection { sphere { 0, 1 } intersection { box { 0, 1 } union { } } }", 0 },
+        { "intersection { sphere { 0, 1 } union { box { 0, 1 } union { } } }", 2 },
+        { "union { intersection { sphere { 0, 1 } union { } } box { 0, 1 } }", 1 },
+        { "intersection { sphere { 0, 1 } light_source { 0, 1 } }", 1 },
+    };
+
+    (void)state;
+    for (size_t i = 0; i < sizeof solids / sizeof solids[0]; i++) {
+        reading r;
+
+        read_text(&r, solids[i].text);
+        if (r.model.leaves.count != solids[i].leaves)
+            fail_msg("%s: %u leaves instead of %u", solids[i].text, (unsigned)r.model.leaves.count, solids[i].leaves);
+        reading_end(&r);
+    }
+}
+
+static void lights_in_a_solid_of_which_nothing_is_left_shine(void **state)
+{
+    reading r;
+
+    (void)state;
+    read_text(&r, "intersection { union { sphere { 0, 1 } light_source { 0, 1 looks_like { box { 0, 1 } } } } union { } }");
+    assert_int_equal(r.model.leaves.count, 0);
+    assert_int_equal(r.model.lights.count, 1);
+    reading_end(&r);
+}
+
 /* What moves an object behind its clip moves the clip too. */
 static void a_clip_is_moved_by_what_follows_it(void **state)
 {
@@ -252,6 +290,8 @@ int main(void)
         cmocka_unit_test(a_solid_is_seen_as_a_whole),
         cmocka_unit_test(a_merge_is_parted_by_what_the_camera_sees),
         cmocka_unit_test(a_group_of_nothing_is_nothing),
+        cmocka_unit_test(a_group_of_nothing_in_a_solid_decides_what_is_left),
+        cmocka_unit_test(lights_in_a_solid_of_which_nothing_is_left_shine),
         cmocka_unit_test(a_clip_is_moved_by_what_follows_it),
         cmocka_unit_test(a_named_object_keeps_its_clip_when_a_copy_gets_another),
         cmocka_unit_test(what_is_no_object_is_refused),
