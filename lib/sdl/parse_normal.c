@@ -72,7 +72,6 @@ static void read_number(pov_reader *in, void *self, keyword_id keyword)
 static bool read_pattern(pov_reader *in, normal_reading *r)
 {
     const pattern_class *class;
-    bool has_list;
 
     if (!parse_pattern_word(in, &r->pattern))
         return false;
@@ -81,12 +80,9 @@ static bool read_pattern(pov_reader *in, normal_reading *r)
         memset(&r->map, 0, sizeof r->map);
     if (r->pattern.image.has_bump_size)
         r->amount = r->pattern.image.bump_size;
-    has_list = class->count > 0 && parse_map_list(in, VALUE_NORMAL_MAP, class->count, &r->map);
-    if (has_list)
+    if (class->count > 0 && parse_map_list(in, VALUE_NORMAL_MAP, class->count, &r->map))
         parse_map_complete(in, class->count, &r->map);
     parse_pattern_close(in, &r->pattern);
-    if (has_list)
-        return true;
     state_accept(in, ',');
     if (value_follows(in))
         r->amount = value_float(in);

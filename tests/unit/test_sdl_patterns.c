@@ -51,6 +51,18 @@ static void a_list_replaces_the_colours_that_it_gives(void **state)
     reading_end(&r);
 }
 
+/* As in POV-Ray, where it changes none of them. */
+static void an_amount_may_stand_behind_a_list_of_normals(void **state)
+{
+    reading r;
+
+    (void)state;
+    read_text(&r, "#version 3.7; sphere { 0, 1 pigment { rgb 1 } normal { checker normal { bumps } normal { dents }, .4 scale 2 } }");
+    assert_int_equal(material_of(&r, 0)->texture->normal->count, 2);
+    assert_true(material_of(&r, 0)->texture->normal->normals[0]->amount == 0.5f);
+    reading_end(&r);
+}
+
 /* The colours of the map of `mandel` are for squares. */
 static void a_mandel_of_another_exponent_is_grey(void **state)
 {
@@ -206,6 +218,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_list_replaces_the_colours_that_it_gives),
+        cmocka_unit_test(an_amount_may_stand_behind_a_list_of_normals),
         cmocka_unit_test(a_mandel_of_another_exponent_is_grey),
         cmocka_unit_test(transformations_of_a_pigment_and_of_its_texture_move_it),
         cmocka_unit_test(what_stands_on_uv_coordinates_is_moved_within_its_own_block_only),
