@@ -3,6 +3,7 @@
 #include "messages.h"
 #include "povray.h"
 #include "signals.h"
+#include "usage.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -93,6 +94,30 @@ static int refuse(const messages *m, const char *why)
     return EXIT_FATAL;
 }
 
+static bool is_word_of(const char *word, const char *const *words)
+{
+    while (*words && strcmp(word, *words) != 0)
+        words++;
+    return *words != NULL;
+}
+
+/* Programs that find povc under the name povray ask it for its version before they draw. */
+static bool answer(int argc, char *const *argv)
+{
+    static const char *const helps[] = { "--help", "-help", "-h", "-?", NULL }, *const versions[] = { "--version", "-version", NULL };
+
+    for (int i = 1; i < argc; i++)
+        if (is_word_of(argv[i], helps)) {
+            usage_print_help();
+            return true;
+        } else if (is_word_of(argv[i], versions)) {
+            usage_print_version();
+            printf("reads scenes and the command line of POV-Ray 3.7\n");
+            return true;
+        }
+    return false;
+}
+
 int povray_run(int argc, char **argv)
 {
     static povray p;             /* large, and once a process */
@@ -103,6 +128,8 @@ int povray_run(int argc, char **argv)
     messages m;
 
     messages_init(&m, &a);
+    if (answer(argc, argv))
+        return fflush(stdout) == 0 ? EXIT_DRAWN : EXIT_FATAL;
     if (!povray_parse(&p, argc, argv))
         return refuse(&m, p.problem);
     if (!povray_output(&p, output, sizeof output))

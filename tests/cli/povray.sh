@@ -26,6 +26,19 @@ povray_is_also_a_name() {
     [ "$("$PYTHON" "$pixels" size small.png)" = "20 10 8" ]
 }
 
+povray_tells_its_version_and_helps() {
+    ln -s "$povc" povray
+    for word in --version -version; do
+        expect 0 ./povray "$word"
+        says out "(libpovtrace "
+        says out "POV-Ray 3.7"
+    done
+    for word in --help -help -h '-?'; do
+        expect 0 ./povray "$word"
+        says out "Usage: povc SCENE"
+    done
+}
+
 povray_parts_stand_in_the_whole_picture() {
     small_scene
     expect 0 "$povc" small.pov 20 10 part.pfm --crop 4,2,10,6
