@@ -54,7 +54,7 @@ static const row rows[] = {
     { "if", condition_if, 1, false },           { "ifdef", condition_ifdef, 1, false },
     { "ifndef", condition_ifdef, 1, false },    { "include", include_run, 0, true },
     { "local", declare_run, 0, false },         { "macro", macro_define, 1, false },
-    { "max_trace_level", parse_old_setting, 0, true },
+    { "max_intersections", parse_old_limit, 0, true }, { "max_trace_level", parse_old_level, 0, true },
     { "range", condition_case, 0, false },      { "read", text_file_read, 0, false },
     { "render", message_run, 0, false },        { "statistics", message_run, 0, false },
     { "switch", condition_switch, 1, false },   { "undef", declare_forget, 0, false },

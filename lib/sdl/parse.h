@@ -142,7 +142,8 @@ void parse_global_settings(pov_reader *in, void *self, keyword_id keyword);
 void parse_background(pov_reader *in, void *self, keyword_id keyword);
 /* Directives: #default, and settings that old scenes have at the top level. */
 void parse_default(pov_reader *in, const place *at);
-void parse_old_setting(pov_reader *in, const place *at);
+void parse_old_level(pov_reader *in, const place *at);
+void parse_old_limit(pov_reader *in, const place *at);
 
 /* translate, rotate, scale, matrix, transform: more behind the list. */
 void parse_transform(pov_reader *in, const transform **list, keyword_id keyword);

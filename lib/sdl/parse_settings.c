@@ -178,11 +178,18 @@ void parse_background(pov_reader *in, void *self, keyword_id keyword)
     items_close(in, &b, &list, NULL);
 }
 
-void parse_old_setting(pov_reader *in, const place *at)
+void parse_old_level(pov_reader *in, const place *at)
 {
     (void)at;
     state_advance(in);
     read_max_trace_level(in, NULL, KEYWORD_MAX_TRACE_LEVEL);
+}
+
+void parse_old_limit(pov_reader *in, const place *at)
+{
+    (void)at;
+    state_advance(in);
+    read_unused(in, NULL, KEYWORD_MAX_INTERSECTIONS);
 }
 
 static void finish_gamma(pov_reader *in, bool is_new)

@@ -286,6 +286,8 @@ static void what_povray_takes_is_taken(void **state)
     (void)state;
     assert_radius("#declare A = array[2] { sphere { 0, 1 }, sphere { 0, 2 } } box { A[1] translate x }", 2);
     assert_radius("max_trace_level 5 sphere { 0, 2 }", 2);
+    assert_radius("max_intersections 64 sphere { 0, 2 }", 2);
+    assert_radius("#max_intersections 64 global_settings { max_intersections 64 } sphere { 0, 2 }", 2);
     assert_radius("fog { color rgb 1 200 } sphere { 0, 2 }", 2);
     assert_radius("#for (I 2 2) sphere { 0, I } #end", 2);
     assert_radius("sphere { 0, 2 matrix <1,0,0, 1,0,0, 0,0,1, 0,0,0> }", 2);
