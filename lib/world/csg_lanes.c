@@ -279,9 +279,6 @@ static uint32_t filter(const csg_tree *t, const pov_rays *rays, uint64_t lanes, 
 /* Does a table tell what happens at each crossing? */
 static bool has_table(const csg_tree *t) { return t->outline->values && !t->clipped.outlined; }
 
-/* Is the tree what all columns have in common, and nothing of it hidden? */
-static bool is_common(const csg_outline *of) { return !of->endless && of->within == (1u << of->count) - 1 && !of->hidden; }
-
 static uint32_t filter_common(const csg_tree *t, const pov_rays *rays, uint64_t lanes, uint32_t which, pov_candidate *out)
 {
     uint32_t found = 0;
@@ -344,7 +341,7 @@ uint32_t csg_filter(const void *block, const uint32_t *owners, const pov_rays *r
             n += decline(lanes, which, out + n);
         else if (t->chords.all || has_table(t))
             n += filter(t, rays, lanes, which, out + n);
-        else if (!t->clipped.outlined && is_common(t->outline))
+        else if (!t->clipped.outlined && !t->outline->endless && csg_is_common(t))
             n += filter_common(t, rays, lanes, which, out + n);
         else
             n += filter_passing(t, rays, lanes, which, out + n);

@@ -221,9 +221,6 @@ static csg_found search(sweep *s, csg_first *out)
 
 /* ---- what all columns have in common ---- */
 
-/* Is the tree within all of its columns, and so nothing else? */
-static bool is_common(const csg_outline *of) { return of->within == (1u << of->count) - 1 && !of->hidden; }
-
 /* Does the ray start in or before a column, for certain, and not on the edge of any but `from`? */
 static bool is_clear_of_start(const sweep *s, uint32_t i, uint32_t from)
 {
@@ -310,7 +307,7 @@ bool csg_sweep_first(csg_traversal *w, pov_hits *hits)
     s.to += near_by(&s, s.to);
     if (is_nowhere(&s, from))
         return true;
-    found = is_common(s.of) ? find_common(&s, from, &first) : CSG_OPEN;
+    found = csg_is_common(w->tree) ? find_common(&s, from, &first) : CSG_OPEN;
     if (found == CSG_OPEN) {
         if (!begin(&s, from, hits))
             return false;

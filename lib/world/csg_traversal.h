@@ -103,6 +103,13 @@ typedef struct csg_intervals {
 bool csg_outline_cross(const csg_outline *of, const pov_ray *ray, csg_intervals *out);
 /* What all columns of clips have in common: the first interval. Behind it those of hollows, one after the other. */
 bool csg_outline_common(const csg_outline *of, uint32_t hollows, const pov_ray *ray, csg_intervals *out);
+/* Is the tree what all of its columns have in common, all of them seen? Without members that are absent nothing may be. */
+static inline bool csg_is_common(const csg_tree *t)
+{
+    const csg_outline *of = t->outline;
+
+    return of->count == t->member_count && of->within == (1u << of->count) - 1 && !of->hidden;
+}
 /* As csg_chords_first() of any tree with an outline. */
 bool csg_sweep_first(csg_traversal *w, pov_hits *hits);
 /* Ask a member for its crossings, and count that. */

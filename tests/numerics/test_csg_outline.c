@@ -497,6 +497,33 @@ static void a_plane_of_two_hollows_is_the_first_ones(void **state)
     assert_int_equal(shown_at_half(NODE_DIFFERENCE, members), 1);
 }
 
+/* A sphere, and what others on both sides of it hold: without these nothing shows. */
+static void what_lies_between_others_has_nothing_in_common(void **state)
+{
+    static const probe members[] = {
+        { .kind = SPHERE, .count = 4, .size = 1.0, .number = { 0.0, 0.0, 0.0, 0.5 } },
+        { .kind = SPHERE, .count = 4, .size = 1.0, .number = { 2.0, 0.0, 0.0, 1.0 } },
+        { .kind = SPHERE, .count = 4, .size = 1.0, .number = { -2.0, 0.0, 0.0, 1.0 } },
+    };
+    const pov_ray ray = { .org = { 0.1, 0.2, -2.0 }, .dir = { 0.0, 0.0, 1.0 }, .origin_surface = POV_NO_OWNER };
+    group_node less = { .op = NODE_DIFFERENCE, .line = 1, .column = 1 };
+    tally out = { 0, 0, 0, 0 };
+    node_ref children[3], root;
+    scene s;
+    hit h;
+
+    (void)state;
+    begin_scene(&s);
+    for (int i = 0; i < 3; i++)
+        children[i] = add_moved(&s, members[i], NULL, i == 1 ? LEAF_INVERSE : 0);
+    assert_true(model_add_group(&s.model, &less, children + 1, 2, &children[1]));
+    assert_true(model_add_group(&s.model, &less, children, 2, &root));
+    assert_true(model_add_tree(&s.model, root));
+    compile(&s);
+    assert_false(compare(&s, &ray, &h, &out));
+    end_scene(&s);
+}
+
 int main(int argc, char **argv)
 {
     const struct CMUnitTest tests[] = {
@@ -508,6 +535,7 @@ int main(int argc, char **argv)
         cmocka_unit_test(outlines_of_hollows_find_what_the_walk_finds),
         cmocka_unit_test(a_plane_of_two_clips_is_the_first_ones),
         cmocka_unit_test(a_plane_of_two_hollows_is_the_first_ones),
+        cmocka_unit_test(what_lies_between_others_has_nothing_in_common),
     };
 
     if (argc > 1)
