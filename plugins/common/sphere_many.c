@@ -129,12 +129,16 @@ COMMON_CLONES static void refine_ends(const sphere_lanes *restrict l, end_lanes 
     }
 }
 
+static inline bool is_ahead(const end_lanes *e, uint32_t i, const pov_hits *h)
+{
+    return e->lo[i] <= h->tmax && e->hi[i] >= h->tmin && e->t[i] > h->tmin && !h->always_exact;
+}
+
 /* Report rays that do not leave the sphere, or go into it, and whose end of the chord is definitely within the
- * interval. */
+ * interval; where all crossings are wanted only those that start inside, which have no other one. */
 static inline bool is_answered(const end_lanes *e, uint32_t i, const pov_ray *ray, const pov_hits *h)
 {
-    return e->lo[i] <= h->tmax && e->hi[i] >= h->tmin && e->t[i] > h->tmin && h->want != POV_WANT_ALL
-           && !h->always_exact && (h->owner != ray->origin_surface || common_is_inward(ray, h));
+    return is_ahead(e, i, h) && (h->want != POV_WANT_ALL || e->feature[i]) && (h->owner != ray->origin_surface || common_is_inward(ray, h));
 }
 
 /* Report these lanes; returns the lanes that are still to be intersected. */
@@ -184,11 +188,70 @@ static uint32_t worth_a_step(const end_lanes *e, uint32_t lanes, const pov_ray *
     return worth;
 }
 
+/* Lanes that want both ends of their chord, the first of which is ahead. */
+static uint32_t want_both(const end_lanes *e, uint32_t lanes, const pov_ray *const *rays, pov_hits *const *hits)
+{
+    uint32_t both = 0;
+
+    for (; lanes; lanes &= lanes - 1) {
+        const uint32_t i = common_first_lane(lanes);
+        const pov_hits *h = hits[i];
+
+        if (h->want == POV_WANT_ALL && !e->feature[i] && h->owner != rays[i]->origin_surface && is_ahead(e, i, h))
+            both |= 1u << i;
+    }
+    return both;
+}
+
+/* A refinement step for those of these lanes that need one. */
+static void refine_open(const sphere_lanes *lanes, end_lanes *io, uint32_t which)
+{
+    const end_lanes before = *io;
+    uint32_t open = 0;
+
+    for (; which; which &= which - 1)
+        open |= before.good[common_first_lane(which)] ? 0 : 1u << common_first_lane(which);
+    if (!open)
+        return;
+    refine_ends(lanes, io);
+    for (uint32_t i = 0; i < COMMON_LANES; i++) {
+        if (open >> i & 1)
+            continue;
+        io->lo[i] = before.lo[i];
+        io->hi[i] = before.hi[i];
+        io->t[i] = before.t[i];
+        io->t_lo[i] = before.t_lo[i];
+        io->good[i] = before.good[i];
+    }
+}
+
+/* Report both ends of these lanes; returns the lanes that are still to be intersected. */
+static uint32_t report_both(sphere_lanes *lanes, end_lanes *near, uint32_t both, pov_hits *const *hits)
+{
+    uint32_t left = 0;
+    end_lanes far;
+
+    for (uint32_t i = 0; i < COMMON_LANES; i++)
+        lanes->tmin[i] = HUGE_VAL;
+    find_ends(lanes, &far);
+    refine_open(lanes, near, both);
+    refine_open(lanes, &far, both);
+    for (; both; both &= both - 1) {
+        const uint32_t i = common_first_lane(both);
+
+        if (!near->good[i] || !far.good[i] || !is_ahead(near, i, hits[i]) || !is_ahead(&far, i, hits[i]))
+            left |= 1u << i;
+        else if (pov_cross(hits[i], near->t[i], near->t_lo[i], common_mark(0, POV_MARK_CLOSED)))
+            pov_cross(hits[i], far.t[i], far.t_lo[i], common_mark(1, POV_MARK_CLOSED));
+    }
+    return left;
+}
+
 static void intersect_lanes(const void *const *selves, const pov_ray *const *rays, pov_hits *const *hits, uint32_t n)
 {
     sphere_lanes lanes;
     end_lanes end;
-    uint32_t i, left, worth;
+    uint32_t i, left, worth, both;
 
     for (i = 0; i < COMMON_LANES; i += 4)
         put_four(&lanes, i, selves, rays, n);
@@ -199,7 +262,9 @@ static void intersect_lanes(const void *const *selves, const pov_ray *const *ray
     }
     find_ends(&lanes, &end);
     left = drop_short(&end, report_ends(&end, (1u << n) - 1, rays, hits), rays, hits);
-    worth = worth_a_step(&end, left, rays, hits);
+    both = want_both(&end, left, rays, hits);
+    left = both ? (left & ~both) | report_both(&lanes, &end, both, hits) : left;
+    worth = worth_a_step(&end, left & ~both, rays, hits);
     if (worth) {
         refine_ends(&lanes, &end);
         left = (left & ~worth) | report_ends(&end, worth, rays, hits);

@@ -314,27 +314,66 @@ COMMON_INLINE void put_pairs(box_lanes *l, const void *const *selves, const pov_
     }
 }
 
-/* A ray that does not leave the box and definitely enters it needs no more: its exit is further away. The same holds
- * for a ray that goes inward from its start. */
+/* Is a start that is not on the box between all of its planes? Its entry is behind then. */
+static bool is_within(const box *b, pov_vec3 o)
+{
+    return (b->plane[0].hi < o.x) & (o.x < b->plane[1].hi) & (b->plane[2].hi < o.y) & (o.y < b->plane[3].hi) &
+           (b->plane[4].hi < o.z) & (o.z < b->plane[5].hi);
+}
+
+static bool starts_inside(const box *b, const pov_ray *ray, const pov_hits *hits)
+{
+    return hits->owner != ray->origin_surface ? is_within(b, ray->org) : common_is_inward(ray, hits);
+}
+
+/* Of rays that definitely enter: where they leave again, for those of which all crossings are wanted. NaN: not certain, or not asked. */
+static void find_exits(box_lanes *lanes, const pov_hits *const *hits, uint32_t n, end_lanes *out)
+{
+    bool any = false;
+
+    for (uint32_t i = 0; i < n; i++)
+        any = any || (hits[i]->want == POV_WANT_ALL && lanes->sign[i] > 0.0);
+    for (uint32_t i = 0; i < COMMON_LANES; i++)
+        lanes->sign[i] = -1.0, out->t[i] = NAN;
+    if (any)
+        find_ends(lanes, out);
+}
+
+/* The ends of one ray: its entry, and if more is wanted its exit; or, of one that is inside, its exit. False: open. */
+static bool put_ends(const box *b, const pov_ray *ray, bool inside, const end_lanes *end, const end_lanes *exit, uint32_t i, pov_hits *h)
+{
+    const uint32_t mark = mark_of(b);
+    const bool both = h->want == POV_WANT_ALL && !inside;
+
+    if (!(end->t[i] > h->tmin) || h->always_exact || (h->owner == ray->origin_surface && !(inside && mark)) ||
+        (both && !(exit->t[i] > end->t[i])))
+        return false;
+    if (pov_cross(h, end->t[i], end->t_lo[i], common_mark((uint32_t)end->feature[i], mark)) && both)
+        pov_cross(h, exit->t[i], exit->t_lo[i], common_mark((uint32_t)exit->feature[i], mark));
+    return true;
+}
+
+/* A ray that does not leave the box and definitely enters it needs no more, unless all is wanted: its exit is further away. The same holds
+ * for a ray that goes inward from its start, or starts inside, which has no crossing but its exit. */
 static void intersect_lanes(const void *const *selves, const pov_ray *const *rays, pov_hits *const *hits, uint32_t n)
 {
-    end_lanes end;
+    end_lanes end, exit;
     box_lanes lanes;
-    uint32_t i;
+    uint32_t inside = 0;
 
-    for (i = 0; i < COMMON_LANES; i++)
-        lanes.sign[i] = common_is_inward(rays[common_lane_of(i, n)], hits[common_lane_of(i, n)]) ? -1.0 : 1.0;
+    for (uint32_t i = 0; i < COMMON_LANES; i++) {
+        const uint32_t k = common_lane_of(i, n);
+        const bool starts = starts_inside(selves[k], rays[k], hits[k]);
+
+        lanes.sign[i] = starts ? -1.0 : 1.0;
+        inside |= (uint32_t)starts << i;
+    }
     put_pairs(&lanes, selves, rays, n);
     find_ends(&lanes, &end);
-    for (i = 0; i < n; i++) {
-        pov_hits *h = hits[i];
-
-        if (end.t[i] > h->tmin && h->want != POV_WANT_ALL && !h->always_exact &&
-            (h->owner != rays[i]->origin_surface || (lanes.sign[i] < 0.0 && mark_of(selves[i]))))
-            pov_cross(h, end.t[i], end.t_lo[i], common_mark((uint32_t)end.feature[i], mark_of(selves[i])));
-        else
-            intersect(selves[i], rays[i], h);
-    }
+    find_exits(&lanes, (const pov_hits *const *)hits, n, &exit);
+    for (uint32_t i = 0; i < n; i++)
+        if (!put_ends(selves[i], rays[i], inside >> i & 1, &end, &exit, i, hits[i]))
+            intersect(selves[i], rays[i], hits[i]);
 }
 
 static void cross_lanes(const void *const *selves, const pov_ray *const *rays, pov_hits *const *hits, uint32_t n)

@@ -30,6 +30,7 @@ void block_filters_never_exclude_a_crossing(void **unused);
 
 /* contract_many.c */
 void many_rays_get_the_results_of_single_ones(void **unused);
+void many_rays_get_all_crossings_that_single_ones_get(void **unused);
 void many_normals_are_those_of_single_ones(void **unused);
 void normals_at_points_are_those_of_rays(void **unused);
 

@@ -144,6 +144,49 @@ void many_rays_get_the_results_of_single_ones(void **unused)
     assert_int_equal(broken, 0);
 }
 
+static bool same_crossings(const pov_hits *one, const pov_hits *many)
+{
+    return one->count == many->count && many->escalated <= one->escalated && memcmp(one->at, many->at, one->count * sizeof *one->at) == 0;
+}
+
+void many_rays_get_all_crossings_that_single_ones_get(void **unused)
+{
+    static pov_crossing at[2][PACKET][MOST];
+    static packet c;
+    int broken = 0, crossings = 0;
+
+    (void)unused;
+    if (!HAS(intersect_many))
+        subject_skip("has no intersect_many");
+    for (int round = 0; round < 1000; round++) {
+        const uint32_t n = 1 + (uint32_t)(PACKET * subject_uniform());
+        pov_hits *hits[PACKET];
+
+        gather(&c, n, false);
+        memset(at, 0, sizeof at);
+        for (uint32_t i = 0; i < n; i++) {
+            for (int k = 0; k < 2; k++) {
+                pov_hits *h = &c.hits[k][i];
+
+                h->want = POV_WANT_ALL;
+                h->count = h->escalated = 0;
+                h->tied = false;
+                h->tmax = round % 2 ? HUGE_VAL : c.hits[0][i].tmax;
+                h->capacity = MOST;
+                h->at = at[k][i];
+            }
+            hits[i] = &c.hits[1][i];
+            subject.shape->intersect(c.selves[i], c.rays[i], &c.hits[0][i]);
+            crossings += (int)c.hits[0][i].count;
+        }
+        subject.shape->intersect_many(c.selves, c.rays, hits, n);
+        for (uint32_t i = 0; i < n; i++)
+            broken += !same_crossings(&c.hits[0][i], &c.hits[1][i]);
+    }
+    assert_true(crossings > 1000);
+    assert_int_equal(broken, 0);
+}
+
 void many_normals_are_those_of_single_ones(void **unused)
 {
     static packet c;

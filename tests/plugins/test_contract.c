@@ -105,6 +105,7 @@ static int check_file(const char *file)
         cmocka_unit_test(an_absorbed_map_is_as_a_mapped_ray),
         cmocka_unit_test(block_filters_never_exclude_a_crossing),
         cmocka_unit_test(many_rays_get_the_results_of_single_ones),
+        cmocka_unit_test(many_rays_get_all_crossings_that_single_ones_get),
         cmocka_unit_test(many_normals_are_those_of_single_ones),
         cmocka_unit_test(normals_at_points_are_those_of_rays),
         cmocka_unit_test(a_ray_that_leaves_never_hits_its_start),
