@@ -196,3 +196,19 @@ bool clear_solid_light_exits(const world *w, const pov_ray *ray, double tmax)
     return is_out(ray->org.x, dir.x, lo.x, hi.x) || is_out(ray->org.y, dir.y, lo.y, hi.y) ||
            is_out(ray->org.z, dir.z, lo.z, hi.z);
 }
+
+/* A part of the path that is more than what roundings amount to. */
+static const double beyond = 0x1p-20;
+
+/* The solid is convex: where a point beyond the end is inside, all of the path is. Boxes alone are asked, as rooms are boxes; others would
+ * rather be crossed. */
+bool clear_solid_light_stays(const world *w, const pov_ray *ray, double tmax)
+{
+    const pov_vec3 end = pov_add(ray->org, pov_scale(ray->dir, tmax + beyond * tmax)), end_lo = { 0.0, 0.0, 0.0 };
+    shape_ref ref;
+
+    if (!enters(w, ray) || !(group_of(w, ray->origin_surface)->shape->flags & POV_SHAPE_BOX))
+        return false;
+    ref = world_shape(w, ray->origin_surface);
+    return !ref.xform && group_of(w, ray->origin_surface)->shape->inside(ref.instance, end, end_lo);
+}

@@ -17,6 +17,9 @@ bool clear_solid_any_enters(const pov_ray *const *rays, uint32_t n);
 /* Light that starts on a closed solid and enters it: does it pass, and definitely leave it before its path ends? */
 bool clear_solid_light_exits(const world *w, const pov_ray *ray, double tmax);
 
+/* Light that starts on a closed solid and enters it, clear or not: does its path end inside? Then it does not cross the solid again. */
+bool clear_solid_light_stays(const world *w, const pov_ray *ray, double tmax);
+
 /* Note a definite hit of a transparent solid, whose distance nobody asks for. */
 static inline bool clear_solid_note(pov_hits *hits, uint32_t owner)
 {

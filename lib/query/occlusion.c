@@ -98,6 +98,8 @@ static bool is_open(packet *p, const leaf_batch *r, const pov_candidate *m)
 
     if (!casts_at(p, r, m->lane) || is_excluded(r, m->lane, ray, p->traversal.soa.excluded[m->ray]))
         return false;
+    if ((r->opaque >> m->lane & 1) && r->object[m->lane] == ray->origin_surface && clear_solid_light_stays(p->world, ray, p->tmax))
+        return false;
     begin_light(p, m->ray);
     return p->any_blocks || !clear_solid_passes(r, m, ray, &p->filter_hits[m->ray]);
 }
@@ -186,8 +188,14 @@ static bool any_open(const packet *p, const leaf_batch *r, const pov_candidate *
     return false;
 }
 
-/* Planes have one crossing, whatever is wanted of them. */
-static bool takes_several(const shape_class *shape) { return shape == &csg_class || (shape->intersect_many && shape->half_space); }
+/* Does the class take several rays side by side? Of most it does so where any crossing will do, of boxes, spheres and planes also where all
+ * are wanted. */
+static bool takes_several(const packet *p, const leaf_batch *r)
+{
+    const bool all = r->shape->flags & (POV_SHAPE_BOX | POV_SHAPE_SPHERE) || r->shape->half_space;
+
+    return r->shape == &csg_class || (r->shape->intersect_many && (all || p->any_blocks || r->opaque == leaf_batch_lanes(r)));
+}
 
 /* The lanes of a batch whose definite hits block light. */
 static uint32_t blocking_of(const packet *p, const leaf_batch *r) { return casts_of(p, r) & r->plain & (p->any_blocks ? ~0u : r->opaque); }
@@ -242,7 +250,7 @@ static uint64_t filter(packet *p, const leaf_batch *r, uint64_t lanes)
     }
     if (n > 1 && (r->flags & LEAF_INSTANCED) && !p->from)
         return ended | take_instanced(p, r, n, ended);
-    if (n > 1 && takes_several(r->shape) && !p->from)
+    if (n > 1 && takes_several(p, r) && !p->from)
         return take_shapes(p, r, n, ended);
     for (i = 0; i < n; i++)
         if (!(ended >> m[i].ray & 1) && is_open(p, r, &m[i]))
