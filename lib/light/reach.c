@@ -50,11 +50,17 @@ static bool roots(const form *f, double root[2])
 
 static double within(double t, double lo, double hi) { return t < lo ? lo : t > hi ? hi : t; }
 
+/* May there be light at a place, on the way v + t dir from the light? */
+static bool is_lit(const light *l, const form *f, pov_vec3 v, pov_vec3 dir, double t)
+{
+    return (l->type != LIGHT_SPOT || pov_dot(v, l->axis) + t * pov_dot(dir, l->axis) > 0.0) && form_at(f, t) > 0.0;
+}
+
 bool light_reach(const light *l, pov_vec3 from, pov_vec3 dir, double *lo, double *hi)
 {
     const bool conical = l->type == LIGHT_SPOT;
     const pov_vec3 v = pov_sub(pov_sub(from, l->position), l->position_lo);
-    double edge[4] = { *lo, *lo, *hi, *hi }, root[2], first = HUGE_VAL, last = -HUGE_VAL;
+    double edge[4], root[2], first = HUGE_VAL, last = -HUGE_VAL;
     form f;
 
     if (!conical && l->type != LIGHT_CYLINDER)
@@ -62,15 +68,14 @@ bool light_reach(const light *l, pov_vec3 from, pov_vec3 dir, double *lo, double
     if (conical && !(l->falloff > 0.0 && l->radius > 0.0))
         return *lo < *hi;
     f = conical ? cone_form(l, v, dir) : cylinder_form(l, v, dir);
-    if (roots(&f, root)) {
-        edge[1] = within(root[0], *lo, *hi);
-        edge[2] = within(root[1], *lo, *hi);
-    }
+    if (!roots(&f, root))
+        return *lo < *hi && is_lit(l, &f, v, dir, 0.5 * (*lo + *hi));
+    edge[0] = *lo;
+    edge[1] = within(root[0], *lo, *hi);
+    edge[2] = within(root[1], *lo, *hi);
+    edge[3] = *hi;
     for (int i = 0; i < 3; i++) {
-        const double middle = 0.5 * (edge[i] + edge[i + 1]);
-        const bool before = !conical || pov_dot(v, l->axis) + middle * pov_dot(dir, l->axis) > 0.0;
-
-        if (edge[i] < edge[i + 1] && before && form_at(&f, middle) > 0.0) {
+        if (edge[i] < edge[i + 1] && is_lit(l, &f, v, dir, 0.5 * (edge[i] + edge[i + 1]))) {
             first = edge[i] < first ? edge[i] : first;
             last = edge[i + 1];
         }

@@ -337,19 +337,18 @@ static void keep_some(media_samples *s, const double *size, double whole, uint32
     s->count = kept;
 }
 
-bool media_sample_light(const media_march *l, const light *from, const light_class *class, uint32_t number,
-                        media_samples *out)
+/* Of light between two places. */
+SIMD_APART static bool sample(const media_march *l, const light *from, const light_class *class, double lo, double hi, uint32_t number,
+                              media_samples *out)
 {
     const light_origin origin = light_own_origin(from);
     const bool alike = scatters_alike(l->set);
     const media_random choice = { ~l->random.key, l->random.turn };
-    double lo = 0.0, hi = l->on.length, whole, size[LANES_MAX];
+    double whole, size[LANES_MAX];
     light_points at;
     uint32_t wanted;
     places p;
 
-    if (!media_set_scatters(l->model, l->set, from) || !light_reach(from, l->on.from, l->on.dir, &lo, &hi))
-        return false;
     find_places(l, from, alike, lo, hi, number, &p);
     out->count = p.count;
     for (uint32_t i = 0; i < lanes_whole(p.count); i++)
@@ -365,4 +364,12 @@ bool media_sample_light(const media_march *l, const light *from, const light_cla
     else
         keep_all(out);
     return out->count > 0;
+}
+
+bool media_sample_light(const media_march *l, const light *from, const light_class *class, uint32_t number, media_samples *out)
+{
+    double lo = 0.0, hi = l->on.length;
+
+    return light_reach(from, l->on.from, l->on.dir, &lo, &hi) && media_set_scatters(l->model, l->set, from) &&
+           sample(l, from, class, lo, hi, number, out);
 }
