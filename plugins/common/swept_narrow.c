@@ -33,6 +33,9 @@ COMMON_SEPARATE static void find_lines(const common_swept *s, const common_beams
         const double to_cap = out->own[i] == (rise > 0.0 ? ON_HIGH : ON_LOW) ? 1.0 : 0.0;
         const double is_after = near - off_plane > start_at ? 1.0 : 0.0, is_before = near + off_plane < start_at ? 1.0 : from_cap;
         const double is_within = far + off_plane < l->sure_to[i] ? 1.0 : 0.0, is_beyond = far - off_plane > l->to[i] ? 1.0 : 0.0;
+        const double is_reached = near + off_plane < l->sure_to[i] ? 1.0 : near - off_plane > l->to[i] ? 1.0 : 1.0 - is_after;
+        const double is_left = far - off_plane > start_at ? 1.0 : far + off_plane < start_at ? 1.0 : to_cap;
+        const double is_known = common_greater(is_after, is_before) * common_greater(is_within, is_beyond) * is_reached * is_left;
 
         out->ex[i] = ex;
         out->ey[i] = ey;
@@ -46,7 +49,7 @@ COMMON_SEPARATE static void find_lines(const common_swept *s, const common_beams
         out->leaves[i] = is_within * caps;
         out->beside[i] = wide;
         out->off[i] = 4.0 * wide;
-        out->open[i] = wide < 0x1p-12 && off_plane < 0x1p-12 ? 1.0 - common_greater(is_after, is_before) * common_greater(is_within, is_beyond) : 1.0;
+        out->open[i] = wide < 0x1p-12 && off_plane < 0x1p-12 ? 1.0 - is_known : 1.0;
         out->per[i] = per;
     }
 }

@@ -310,25 +310,39 @@ static void make_square(pov_reader *in, double size)
         add_point(in, i % 4 < 2 ? size : -size, i % 4 == 1 || i % 4 == 2 ? size : -size);
 }
 
+/* A square prism, from -1 to 1 across and from -2 to 2 along its sweep. */
+static void begin_sweep(scene *s, pov_reader *in)
+{
+    const shape_class *shape = fake_reader_shape("prism");
+    void *self = fake_reader_memory(in, shape->instance_size);
+
+    memset(s, 0, sizeof *s);
+    s->size = 1.0;
+    test_model_init(&s->model, NULL);
+    make_square(in, 1.0);
+    assert_true(fake_reader_parse_into(in, shape, self));
+    test_add(&s->model, shape, self, test_transform(&s->model, NULL, TRANSFORM_SCALE, 1.0, 2.0, 1.0), 0, 0);
+    side_compile(&s->filtered, &s->model, POV_ACCEL_TREE, false);
+    side_compile(&s->plain, &s->model, POV_ACCEL_NONE, false);
+}
+
+static void end_sweep(scene *s, pov_reader *in)
+{
+    side_discard(&s->filtered);
+    side_discard(&s->plain);
+    model_free(&s->model);
+    fake_reader_destroy(in);
+}
+
 /* Of eight rays at its box half go straight along the sweep: in the plane of the outline they are points. */
 static void rays_along_a_sweep_leave_others_as_they_are(void **state)
 {
-    const shape_class *shape = fake_reader_shape("prism");
     pov_reader *in = fake_reader_create();
     tally out = { 0, 0, 0 };
     scene s;
-    void *self;
 
     (void)state;
-    memset(&s, 0, sizeof s);
-    s.size = 1.0;
-    test_model_init(&s.model, NULL);
-    make_square(in, 1.0);
-    self = fake_reader_memory(in, shape->instance_size);
-    assert_true(fake_reader_parse_into(in, shape, self));
-    test_add(&s.model, shape, self, test_transform(&s.model, NULL, TRANSFORM_SCALE, 1.0, 2.0, 1.0), 0, 0);
-    side_compile(&s.filtered, &s.model, POV_ACCEL_TREE, false);
-    side_compile(&s.plain, &s.model, POV_ACCEL_NONE, false);
+    begin_sweep(&s, in);
     for (int i = 0; i < WORLD_MANY; i++) {
         const double off = 0.01 * i;
         pov_ray ray = { .org = { -3.0, 2.5 - off, -0.2 }, .dir = { 1.0, -0.5, 0.1 }, .origin_surface = POV_NO_OWNER };
@@ -341,10 +355,40 @@ static void rays_along_a_sweep_leave_others_as_they_are(void **state)
         ask(&s, &ray, &h, &out);
     }
     assert_int_equal(out.hits, WORLD_MANY);
-    side_discard(&s.filtered);
-    side_discard(&s.plain);
-    model_free(&s.model);
-    fake_reader_destroy(in);
+    end_sweep(&s, in);
+}
+
+/* Rays from a plane above a cap down to the cap's plane or a little farther, or from that plane upward. */
+static void compare_at_cap(const scene *s, double from, double rise, double most)
+{
+    static kept of;
+    hit hits[WORLD_MANY];
+
+    for (uint32_t i = 0; i < WORLD_MANY; i++) {
+        pov_ray *ray = &of.rays[i];
+
+        memset(ray, 0, sizeof *ray);
+        ray->org = pov_vec3_of(0.01 * i - 0.3, from, 0.005 * i);
+        ray->dir = pov_vec3_of(0.0625, rise, 0.03125);
+        ray->origin_surface = POV_NO_OWNER;
+        if (!test_nearest(s->plain.world, s->plain.context, ray, HUGE_VAL, &of.truth[i]))
+            of.truth[i].object = POV_NO_OWNER;
+    }
+    side_compare(&s->filtered, &s->plain, &of, 0, WORLD_MANY, most, hits);
+}
+
+/* There it takes the exact distance of the plane to tell. */
+static void rays_that_end_or_begin_in_the_plane_of_a_cap_are_left_open(void **state)
+{
+    pov_reader *in = fake_reader_create();
+    scene s;
+
+    (void)state;
+    begin_sweep(&s, in);
+    compare_at_cap(&s, 3.0, -1.0, 1.0);
+    compare_at_cap(&s, 3.0, -1.0, 1.0 + 0x1p-50);
+    compare_at_cap(&s, 2.0, 1.0, HUGE_VAL);
+    end_sweep(&s, in);
 }
 
 int main(int argc, char **argv)
@@ -352,6 +396,7 @@ int main(int argc, char **argv)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(filters_find_what_rays_find_alone),
         cmocka_unit_test(rays_along_a_sweep_leave_others_as_they_are),
+        cmocka_unit_test(rays_that_end_or_begin_in_the_plane_of_a_cap_are_left_open),
     };
 
     if (argc > 1)
