@@ -26,7 +26,7 @@ $(BUILD)/tests/$(1)numerics/test_findings: $(BUILD)/obj/$(1)tests/numerics/findi
 $(BUILD)/tests/$(1)numerics/test_primitives: $(BUILD)/obj/$(1)tests/numerics/harness.o
 $(addprefix $(BUILD)/tests/$(1)numerics/test_,piecewise strokes outlines): $(patsubst %,$(BUILD)/obj/$(1)tests/numerics/%.o,piecewise kinds)
 $(addprefix $(BUILD)/tests/$(1)numerics/test_,strokes outlines): $(BUILD)/obj/$(1)tests/numerics/spline_real.o
-$(BUILD)/tests/$(1)numerics/test_outlines: $(BUILD)/obj/$(1)tests/numerics/font.o
+$(BUILD)/tests/$(1)numerics/test_outlines $(BUILD)/tests/$(1)numerics/test_narrow: $(BUILD)/obj/$(1)tests/numerics/font.o
 $(BUILD)/tests/$(1)plugins/test_contract: $(CONTRACT_SOURCES:%.c=$(BUILD)/obj/$(1)%.o) | $(PRIMITIVES) $(OUT_OF_TREE)
 endef
 $(eval $(call TEST_RULES,))

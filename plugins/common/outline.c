@@ -111,6 +111,15 @@ static void find_across(const common_piece *c, double out[2])
     out[1] = unit.y;
 }
 
+static void raise(const double *b, uint32_t degree, double out[4])
+{
+    for (uint32_t k = 0; k < 4; k++) {
+        const double share = k / 3.0;
+
+        out[k] = degree == 3 ? b[k] : k == 0 ? b[0] : share * b[k - 1] + (1.0 - share) * b[k < 3 ? k : 2];
+    }
+}
+
 bool common_outline_pack(common_outline *o, const pov_host *host, pov_reader *in)
 {
     o->stride = (o->count + SIDE - 1) / SIDE * SIDE;
@@ -126,10 +135,15 @@ bool common_outline_pack(common_outline *o, const pov_host *host, pov_reader *in
             o->rows[(2 * k + 1) * o->stride + i] = c->y[k < c->degree ? k : c->degree];
         }
     o->across = host->alloc(in, o->count * sizeof *o->across);
-    for (uint32_t i = 0; o->across && i < o->count; i++)
-        if (o->at[i].degree == 1)
+    o->cubic = host->alloc(in, o->count * sizeof *o->cubic);
+    for (uint32_t i = 0; o->across && o->cubic && i < o->count; i++)
+        if (o->at[i].degree == 1) {
             find_across(&o->at[i], o->across[i]);
-    return o->rows && o->across;
+        } else {
+            raise(o->at[i].x, o->at[i].degree, o->cubic[i][0]);
+            raise(o->at[i].y, o->at[i].degree, o->cubic[i][1]);
+        }
+    return o->rows && o->across && o->cubic;
 }
 
 /* ---- pieces ---- */

@@ -18,6 +18,7 @@ typedef struct common_outline {
     double *rows;
     uint32_t stride, points;
     double (*across)[2];         /* of straight pieces: a unit vector across, to the right of the way */
+    double (*cubic)[2][4];       /* of curved pieces: x and y of the points that each has as a cubic */
 } common_outline;
 
 /* Where a line crosses: at its parameter s, at u of the piece. */

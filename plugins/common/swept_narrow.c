@@ -245,21 +245,6 @@ COMMON_SEPARATE static void tell_of_cone(const lines *restrict n, const stretche
     }
 }
 
-/* As a cubic, which the points of a quadratic are taken to. */
-static void add_curve(const common_piece *c, const lines *n, double number, sums *io)
-{
-    double x[4], y[4];
-
-    for (int k = 0; k < 4; k++) {
-        const double share = k / 3.0;
-
-        x[k] = c->degree == 3 ? c->x[k] : k == 0 ? c->x[0] : share * c->x[k - 1] + (1.0 - share) * c->x[k < 3 ? k : 2];
-        y[k] = c->degree == 3 ? c->y[k] : k == 0 ? c->y[0] : share * c->y[k - 1] + (1.0 - share) * c->y[k < 3 ? k : 2];
-    }
-    if (any_nears(n, x, y))
-        add_cubic(n, number, x, y, io);
-}
-
 /* Points that two straight pieces share are looked at once. */
 static void add_pieces(const common_outline *o, const lines *n, sums *io)
 {
@@ -272,7 +257,8 @@ static void add_pieces(const common_outline *o, const lines *n, sums *io)
         double *const before = from;
 
         if (c->degree > 1) {
-            add_curve(c, n, i, io);
+            if (any_nears(n, o->cubic[i][0], o->cubic[i][1]))
+                add_cubic(n, i, o->cubic[i][0], o->cubic[i][1], io);
             continue;
         }
         if (!(a[0] == last[0] && a[1] == last[1]))

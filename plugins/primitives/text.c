@@ -1,7 +1,7 @@
 /* text { ttf "font" | internal n, "string", depth, offset }: glyphs in the plane of x and y, swept along z from 0 to depth.
  *
  * The em of the font is 1 high. Outlines are taken as the font has them, unhinted; each glyph is a sweep of its own. */
-#include "common/clip.h"
+#include "common/boxed.h"
 #include "common/simd.h"
 #include "common/swept.h"
 
@@ -17,8 +17,7 @@ typedef struct text {
     uint32_t count;              /* glyphs that have an outline */
     common_swept *glyph;
     glyph_boxes *boxes;
-    pov_two3 anchor;
-    double scale;
+    common_boxed boxed;
     uint32_t pieces;             /* of all glyphs */
     pov_box blanks;              /* where the pen stands at glyphs without an outline: they count for the box; lo above hi: none */
 } text;
@@ -237,6 +236,12 @@ static void pack_boxes(text *t, const pov_host *host, pov_reader *in)
     }
 }
 
+static void widen(common_boxed *b, pov_vec3 lo, pov_vec3 hi)
+{
+    b->lo = pov_vec3_of(fmin(b->lo.x, lo.x), fmin(b->lo.y, lo.y), fmin(b->lo.z, lo.z));
+    b->hi = pov_vec3_of(fmax(b->hi.x, hi.x), fmax(b->hi.y, hi.y), fmax(b->hi.z, hi.z));
+}
+
 static void place(text *t, const pov_host *host, pov_reader *in)
 {
     const pov_vec3 zero = { 0.0, 0.0, 0.0 };
@@ -250,16 +255,19 @@ static void place(text *t, const pov_host *host, pov_reader *in)
         hi = pov_vec3_of(fmax(hi.x, b.x), fmax(hi.y, b.y), fmax(hi.z, b.z));
     }
     middle = t->count > 0 ? pov_scale(pov_add(lo, hi), 0.5) : zero;
-    t->scale = t->count > 0 ? pov_inverse_power(pov_largest(pov_sub(hi, lo))) : 1.0;
-    t->anchor = pov_two3_of(middle, zero);
+    t->boxed.scale = t->count > 0 ? pov_inverse_power(pov_largest(pov_sub(hi, lo))) : 1.0;
+    t->boxed.anchor = pov_two3_of(middle, zero);
+    t->boxed.lo = pov_vec3_of(HUGE_VAL, HUGE_VAL, HUGE_VAL);
+    t->boxed.hi = pov_scale(t->boxed.lo, -1.0);
     at[0] = middle.x;
     at[1] = middle.y;
     for (uint32_t i = 0; i < t->count; i++) {
-        common_outline_place(&t->glyph[i].outline, at, t->scale);
+        common_outline_place(&t->glyph[i].outline, at, t->boxed.scale);
         common_outline_pack(&t->glyph[i].outline, host, in);
-        t->glyph[i].lo = pov_two_scale(pov_two_sum(t->glyph[i].lo.hi, -middle.z), t->scale);
-        t->glyph[i].hi = pov_two_scale(pov_two_sum(t->glyph[i].hi.hi, -middle.z), t->scale);
+        t->glyph[i].lo = pov_two_scale(pov_two_sum(t->glyph[i].lo.hi, -middle.z), t->boxed.scale);
+        t->glyph[i].hi = pov_two_scale(pov_two_sum(t->glyph[i].hi.hi, -middle.z), t->boxed.scale);
         common_swept_close(&t->glyph[i]);
+        widen(&t->boxed, t->glyph[i].least, t->glyph[i].most);
     }
     pack_boxes(t, host, in);
 }
@@ -291,8 +299,8 @@ static void parse(void *self, const pov_host *host, pov_reader *in)
 static bool bounds(const void *self, pov_box *out)
 {
     const text *t = self;
-    const pov_vec3 anchor = pov_two3_hi(t->anchor);
-    const double back = common_inverse(t->scale);
+    const pov_vec3 anchor = pov_two3_hi(t->boxed.anchor);
+    const double back = common_inverse(t->boxed.scale);
     pov_vec3 a, b;
 
     *out = t->blanks;
@@ -356,21 +364,80 @@ static uint32_t reached_from(const text *t, uint32_t first, const common_ray *k,
     return most > 2 ? all & reached(&t->boxes[first / SIDE], k, tmax) : all;
 }
 
-static void intersect(const void *self, const pov_ray *ray, pov_hits *hits)
+static void cross(const void *self, const pov_ray *ray, const common_entry *e, pov_hits *hits)
 {
     const text *t = self;
-    const common_ray k = common_enter(ray, t->anchor, t->scale);
 
     for (uint32_t first = 0; first < t->count; first += SIDE)
-        for (uint32_t left = reached_from(t, first, &k, hits->tmax); left; left &= left - 1)
-            if (!common_swept_intersect(&t->glyph[first + common_first_lane(left)], ray, &k, hits->scratch, hits))
+        for (uint32_t left = reached_from(t, first, &e->k, hits->tmax); left; left &= left - 1)
+            if (!common_swept_intersect(&t->glyph[first + common_first_lane(left)], ray, &e->k, hits->scratch, hits))
                 return;
 }
+
+/* The box of what counts of rays side by side, in their space. */
+typedef struct extent { pov_vec3 lo, hi; } extent;
+
+static extent extent_of(const common_beams *l)
+{
+    double lo[3], hi[3];
+
+    for (int k = 0; k < 3; k++) {
+        lo[k] = HUGE_VAL;
+        hi[k] = -HUGE_VAL;
+        for (uint32_t i = 0; i < COMMON_BEAMS; i++) {
+            const double a = l->org[k][i], b = l->to[i] > 0.0 ? a + l->to[i] * l->dir[k][i] : a, off = 2.0 * l->off[i];
+
+            lo[k] = common_lesser(common_lesser(a, b) - off, lo[k]);
+            hi[k] = common_greater(common_greater(a, b) + off, hi[k]);
+        }
+    }
+    return (extent){ pov_vec3_of(lo[0], lo[1], lo[2]), pov_vec3_of(hi[0], hi[1], hi[2]) };
+}
+
+static bool overlaps(const extent *e, const common_swept *g)
+{
+    return e->lo.x <= g->most.x && e->hi.x >= g->least.x && e->lo.y <= g->most.y && e->hi.y >= g->least.y && e->lo.z <= g->most.z && e->hi.z >= g->least.z;
+}
+
+/* A glyph that is neither passed nor hit for certain may be hit before all others. */
+static void look(const void *self, const common_beams *restrict l, common_verdicts *restrict out)
+{
+    const text *t = self;
+    const extent e = extent_of(l);
+
+    for (uint32_t i = 0; i < COMMON_BEAMS; i++) {
+        out->passed[i] = 1.0;
+        out->hit[i] = 0.0;
+        out->lo[i] = out->hi[i] = HUGE_VAL;
+    }
+    for (uint32_t g = 0; g < t->count; g++) {
+        common_verdicts of;
+
+        if (!overlaps(&e, &t->glyph[g]))
+            continue;
+        common_swept_look(&t->glyph[g], l, &of);
+        for (uint32_t i = 0; i < COMMON_BEAMS; i++) {
+            const bool hit = of.hit[i] > 0.0, passed = of.passed[i] > 0.0;
+
+            out->passed[i] = passed ? out->passed[i] : 0.0;
+            out->hit[i] = hit ? 1.0 : out->hit[i];
+            out->lo[i] = passed ? out->lo[i] : common_lesser(hit ? of.lo[i] : -HUGE_VAL, out->lo[i]);
+            out->hi[i] = hit ? common_lesser(of.hi[i], out->hi[i]) : out->hi[i];
+        }
+    }
+}
+
+static uint32_t narrow(const void *self, const pov_own_map *map, uint32_t owner, const pov_rays *rays, pov_candidate *io, uint32_t n)
+{
+    return common_narrow(&((const text *)self)->boxed, look, self, map, owner, rays, io, n);
+}
+
+COMMON_NARROW_CLASS(text, cross, NULL, narrow)
 
 static bool inside(const void *self, pov_vec3 point, pov_vec3 point_lo)
 {
     const text *t = self;
-    const pov_two3 p = common_offset(point, point_lo, t->anchor, t->scale);
+    const pov_two3 p = common_offset(point, point_lo, t->boxed.anchor, t->boxed.scale);
 
     for (uint32_t i = 0; i < t->count; i++)
         if (common_swept_inside(&t->glyph[i], p))
@@ -408,6 +475,7 @@ static const pov_shape_class text_class = {
     .normal = normal,
     .inside = inside,
     .scratch = scratch,
+    .extension = extension,
     .reversed = reversed,
 };
 
