@@ -126,6 +126,24 @@ COMMON_INLINE void common_put_four_shapes(double *rows, size_t width, uint32_t n
 #endif
 }
 
+/* Take up to COMMON_LANES pairs of the first one's shape out of `left`, at least one. */
+static inline uint32_t common_take_same(const void *const *selves, uint64_t *left, uint8_t *which)
+{
+    const void *first = selves[common_first_lane64(*left)];
+    uint64_t rest;
+    uint32_t n = 0;
+
+    for (rest = *left; rest && n < COMMON_LANES; rest &= rest - 1) {
+        const uint32_t i = common_first_lane64(rest);
+
+        if (selves[i] != first)
+            continue;
+        which[n++] = (uint8_t)i;
+        *left &= ~((uint64_t)1 << i);
+    }
+    return n;
+}
+
 /* Load the distances of crossings into four lanes from i on. */
 COMMON_INLINE void common_put_four_crossings(double *t, double *t_lo, uint32_t i, const pov_crossing *const at[4])
 {

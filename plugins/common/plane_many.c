@@ -228,24 +228,6 @@ static uint32_t cross_sure_lanes(const sure_plane *of, const sure_pairs *p, bool
     return open;
 }
 
-/* Take up to COMMON_LANES pairs of the first one's plane out of `left`. */
-static uint32_t take_same(const void *const *selves, uint64_t *left, uint8_t *which)
-{
-    const void *first = selves[common_first_lane64(*left)];
-    uint64_t rest;
-    uint32_t n = 0;
-
-    for (rest = *left; rest && n < COMMON_LANES; rest &= rest - 1) {
-        const uint32_t i = common_first_lane64(rest);
-
-        if (selves[i] != first)
-            continue;
-        which[n++] = (uint8_t)i;
-        *left &= ~((uint64_t)1 << i);
-    }
-    return n;
-}
-
 /* Most scenes have one plane or a few, and many rays meet each. */
 void common_plane_intersect_pairs(const void *const *selves, const pov_ray *const *rays, pov_hits *const *hits, uint32_t n)
 {
@@ -255,7 +237,7 @@ void common_plane_intersect_pairs(const void *const *selves, const pov_ray *cons
     uint8_t which[COMMON_LANES];
 
     while (left) {
-        const uint32_t count = take_same(selves, &left, which);
+        const uint32_t count = common_take_same(selves, &left, which);
 
         if (count >= COMMON_LEAST)
             intersect_lanes(selves[which[0]], which, rays, hits, count);
@@ -279,7 +261,7 @@ uint64_t common_plane_cross_sure(const void *const *selves, const pov_ray *const
         uint32_t i, not_sure;
         sure_pairs p;
 
-        p.n = take_same(selves, &left, which);
+        p.n = common_take_same(selves, &left, which);
         for (i = 0; i < COMMON_LANES; i++) {
             const uint32_t pair = which[common_lane_of(i, p.n)];
 
