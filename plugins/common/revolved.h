@@ -38,7 +38,26 @@ typedef struct common_turned {
     double y[COMMON_TURNED_ORDER + 1], y_square[COMMON_TURNED_ORDER + 1], r_square[COMMON_TURNED_ORDER + 1];
     double low, high, widest;
 } common_turned;
+void common_turned_make(common_turned *p, const common_piece *curve);
+/* The product of two polynomials of the order n, by Bernstein coefficients. */
+void common_turned_multiply(int n, const double *a, const double *b, double *out);
 /* First crossings of rays at their box with straight ones, as lathe.c finds them one by one. */
 void common_turned_first(const common_turned *parts, uint32_t count, const common_entries *restrict l, common_first_crossings *restrict out);
+
+/* Pieces of one order side by side; those past the end are never near. */
+enum { COMMON_TURNED_LANES = 8 };
+typedef double common_by_turned[COMMON_TURNED_LANES];
+typedef struct common_turned_block {
+    common_by_turned low, high, wide;
+    common_by_turned y[COMMON_TURNED_ORDER + 1], y_square[COMMON_TURNED_ORDER + 1], r_square[COMMON_TURNED_ORDER + 1];
+} common_turned_block;
+void common_turned_pack(const common_turned *parts, uint32_t count, common_turned_block *out);
+
+/* The line at oy + s dy from lo to hi, whose distance to the axis has the square a s^2 + 2 b s + c; per_height: 1 / dy; foot: where it is
+ * nearest to the axis. What the equations take of it: a, linear, rest and square. */
+typedef struct common_turned_line { double a, b, c, oy, per_height, foot, lo, hi, linear, rest, square; } common_turned_line;
+/* The pieces of the block that it may cross, as bits; and their equations by lane. */
+typedef struct common_turned_equations { common_by_turned b[COMMON_TURNED_ORDER + 1]; } common_turned_equations;
+uint32_t common_turned_find(const common_turned_block *p, int order, const common_turned_line *n, common_turned_equations *out);
 
 #endif

@@ -18,6 +18,7 @@ typedef common_turned part;
 typedef struct lathe {
     common_outline outline;
     part *parts;
+    common_turned_block *blocks;
     common_boxed boxed;
     common_revolved filter;        /* of straight pieces; else empty */
     double wide, high;             /* half a box about the anchor, scaled */
@@ -26,51 +27,6 @@ typedef struct lathe {
 } lathe;
 
 /* ---- loading ---- */
-
-static const double choose[4][4] = { { 1.0 }, { 1.0, 1.0 }, { 1.0, 2.0, 1.0 }, { 1.0, 3.0, 3.0, 1.0 } };
-
-static double choose_of(int n, int k)
-{
-    double c = 1.0;
-
-    for (int i = 0; i < k; i++)
-        c = c * (n - i) / (i + 1);
-    return c;
-}
-
-/* The product of two polynomials of the order n. */
-static void multiply(int n, const double *a, const double *b, double *out)
-{
-    for (int k = 0; k <= 2 * n; k++) {
-        out[k] = 0.0;
-        for (int i = k > n ? k - n : 0; i <= n && i <= k; i++)
-            out[k] += choose[n][i] * choose[n][k - i] * a[i] * b[k - i];
-        out[k] /= choose_of(2 * n, k);
-    }
-}
-
-static void make_part(part *p, const common_piece *c)
-{
-    const int n = (int)c->degree;
-    static const double ones[4] = { 1.0, 1.0, 1.0, 1.0 };
-    double least = HUGE_VAL, most = -HUGE_VAL;
-
-    p->curve = *c;
-    p->order = 2 * n;
-    multiply(n, c->y, ones, p->y);
-    multiply(n, c->y, c->y, p->y_square);
-    multiply(n, c->x, c->x, p->r_square);
-    p->low = HUGE_VAL;
-    p->high = -HUGE_VAL;
-    common_bernstein_widen(c->y, n, &p->low, &p->high);
-    common_bernstein_widen(c->x, n, &least, &most);
-    p->widest = fmax(least * least, most * most);
-    /* What both pieces at a joint have, in the same bits. */
-    p->y[0] = c->y[0];
-    p->y[2 * n] = c->y[n];
-    p->y_square[2 * n] = c->y[n] * c->y[n];
-    p->r_square[2 * n] = c->x[n] * c->x[n];
-}
 
 /* Ends on the axis, and those that another piece shares, leave no gap. */
 static bool is_joined(const lathe *l, uint32_t piece, uint32_t end)
@@ -104,6 +60,15 @@ static void take_in_points(common_outline *o)
             o->lo[0] = fmin(o->lo[0], o->at[i].x[k]);
 }
 
+static void pack(lathe *l, const pov_host *host, pov_reader *in)
+{
+    const uint32_t count = l->outline.count, lanes = COMMON_TURNED_LANES;
+
+    l->blocks = host->alloc(in, (count + lanes - 1) / lanes * sizeof *l->blocks);
+    for (uint32_t i = 0; l->parts && l->blocks && i < count; i += lanes)
+        common_turned_pack(&l->parts[i], count - i, &l->blocks[i / lanes]);
+}
+
 static void place(lathe *l, common_spline kind, const pov_host *host, pov_reader *in)
 {
     double middle[2] = { 0.0, 0.0 };
@@ -125,7 +90,8 @@ static void place(lathe *l, common_spline kind, const pov_host *host, pov_reader
     common_sides_find(&l->sides, &l->outline, host, in);
     l->parts = host->alloc(in, l->outline.count * sizeof *l->parts);
     for (uint32_t i = 0; l->parts && i < l->outline.count; i++)
-        make_part(&l->parts[i], &l->outline.at[i]);
+        common_turned_make(&l->parts[i], &l->outline.at[i]);
+    pack(l, host, in);
     common_revolved_outline(&l->filter, &l->outline, host, in);
 }
 
@@ -250,23 +216,15 @@ static void refine(const line *n, const part *p, double most, common_cross *at)
     }
 }
 
-/* `start`: NULL, or where on the piece the ray starts, which is left out. */
-static void cross_risen(const line *n, const part *p, uint32_t piece, const double *start, common_cross *out, uint32_t *count)
+/* A piece by its equation, in lane `lane`. `start`: NULL, or where on the piece the ray starts, which is left out. */
+static void cross_risen(const line *n, const part *p, uint32_t piece, const common_turned_equations *all, uint32_t lane, double noise,
+                        const double *start, common_cross *out, uint32_t *count)
 {
-    const double square = n->d.y * n->d.y, linear = 2.0 * (n->b * n->d.y - n->a * n->o.y);
-    const double rest = (n->a * n->o.y - 2.0 * n->b * n->d.y) * n->o.y + square * n->c;
-    const double noise = 0x1p-51 * (n->a + fabs(linear) + fabs(rest) + square);
     double b[ORDER + 1], q[ORDER], root[ORDER];
-    bool above = true, below = true;
     uint32_t found;
 
-    for (int k = 0; k <= p->order; k++) {
-        b[k] = n->a * p->y_square[k] + linear * p->y[k] + (rest - square * p->r_square[k]);
-        above &= b[k] >= 0.0;
-        below &= b[k] < 0.0;
-    }
-    if (above || below)
-        return;
+    for (int k = 0; k <= p->order; k++)
+        b[k] = all->b[k][lane];
     if (start)
         common_bernstein_divide(b, p->order, *start, q);
     found = start ? common_bernstein_roots(q, p->order - 1, p->order * noise, root) : common_bernstein_roots(b, p->order, noise, root);
@@ -277,6 +235,25 @@ static void cross_risen(const line *n, const part *p, uint32_t piece, const doub
         common_piece_at(&p->curve, at.u, v, slope);
         at.s = (v[1] - n->o.y) / n->d.y;
         out[(*count)++] = at;
+    }
+}
+
+/* All pieces, some at a time. */
+static void cross_all_risen(const lathe *l, const line *n, uint32_t origin, const double *start, common_cross *out, uint32_t *count)
+{
+    const double square = n->d.y * n->d.y, linear = 2.0 * (n->b * n->d.y - n->a * n->o.y);
+    const double rest = (n->a * n->o.y - 2.0 * n->b * n->d.y) * n->o.y + square * n->c;
+    const double noise = 0x1p-51 * (n->a + fabs(linear) + fabs(rest) + square);
+    const common_turned_line of = { n->a, n->b, n->c, n->o.y, n->per_height, n->foot, n->span.lo, n->span.hi, linear, rest, square };
+
+    for (uint32_t first = 0; first < l->outline.count; first += COMMON_TURNED_LANES) {
+        common_turned_equations all;
+
+        for (uint32_t left = common_turned_find(&l->blocks[first / COMMON_TURNED_LANES], l->parts->order, &of, &all); left; left &= left - 1) {
+            const uint32_t lane = common_first_lane(left), i = first + lane;
+
+            cross_risen(n, &l->parts[i], i, &all, lane, noise, i == origin ? start : NULL, out, count);
+        }
     }
 }
 
@@ -333,9 +310,9 @@ static double stretch_equation(const line *n, const part *p, double from, double
     cut_out(p->curve.y, degree, from, to, y);
     for (int k = 0; k <= degree; k++)
         y[k] = (y[k] - n->o.y) * n->per_height;
-    multiply(degree, y, ones, s);
-    multiply(degree, y, y, s_square);
-    multiply(degree, x, x, r_square);
+    common_turned_multiply(degree, y, ones, s);
+    common_turned_multiply(degree, y, y, s_square);
+    common_turned_multiply(degree, x, x, r_square);
     for (int k = 0; k <= 2 * degree; k++) {
         b[k] = n->a * s_square[k] + 2.0 * n->b * s[k] + (n->c - r_square[k]);
         sum = greater(sum, n->a * fabs(s_square[k]) + 2.0 * fabs(n->b * s[k]) + fabs(n->c) + fabs(r_square[k]));
@@ -489,12 +466,11 @@ static void cross(const void *self, const pov_ray *ray, const common_entry *e, p
     line n;
 
     make_line(&n, &e->k, e->span);
-    for (uint32_t i = 0; i < l->outline.count; i++) {
-        const part *p = &l->parts[i];
-
-        if (may_cross(&n, p))
-            (fabs(n.d.y) < LEVEL ? cross_level : fabs(n.d.y) < SLOW ? cross_slow : cross_risen)(&n, p, i, i == origin ? &ray->origin_mark.u : NULL, at, &count);
-    }
+    if (!(fabs(n.d.y) < SLOW))
+        cross_all_risen(l, &n, origin, &ray->origin_mark.u, at, &count);
+    for (uint32_t i = 0; fabs(n.d.y) < SLOW && i < l->outline.count; i++)
+        if (may_cross(&n, &l->parts[i]))
+            (fabs(n.d.y) < LEVEL ? cross_level : cross_slow)(&n, &l->parts[i], i, i == origin ? &ray->origin_mark.u : NULL, at, &count);
     if (count > 1 && hits->want != POV_WANT_ALL && ray->origin_surface != hits->owner)
         count = keep_first(&n, &e->k, hits, at, count);
     for (uint32_t i = 0; i < count; i++)

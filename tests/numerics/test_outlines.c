@@ -31,10 +31,10 @@ static void put_point(shape *s, pov_reader *in, double x, double y)
 
 /* ---- lathes ---- */
 
-/* Some have points that are the same, on the axis, or at one height. */
+/* Some have points that are the same, on the axis, or at one height; and some more pieces than are looked at side by side. */
 static void make_lathe(shape *s, pov_reader *in, const spline_basis *b)
 {
-    const int pieces = 1 + (int)(3.0 * U()), n = b == &spline_bezier ? 4 * pieces : pieces + b->points - 1;
+    const int pieces = U() < 0.2 ? 9 + (int)(3.0 * U()) : 1 + (int)(3.0 * U()), n = b == &spline_bezier ? 4 * pieces : pieces + b->points - 1;
     double r = 0.5, y = -1.0;
 
     s->count = 0;
