@@ -15,7 +15,7 @@ void camera_normal_apply(const model *m, const double *x, const double *y, uint3
 
     points.parts = NULL;
     points.has_world = false;
-    points.has_surface = points.in_world = true;
+    points.has_surface = points.has_uv = points.has_view = points.in_world = true;
     for (uint32_t i = 0; i < n; i++) {
         texture_point(&points, i, pov_vec3_of(x[i], y[i], 0.0), zero);
         lanes_put(&bent, i, unit_of(&rays[i]));

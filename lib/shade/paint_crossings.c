@@ -30,7 +30,8 @@ static uint64_t add_crossed(paint_group *g, const shading *scene, const light_cr
             continue;
         if (g->texture) {
             paint_group_add_point(g, scene, h);
-            paint_group_add_uv(g, scene, h);
+            if (scene->uvs)
+                paint_group_add_uv(g, scene, h);
         }
         if (smooth && shading_info(scene, h->object)->smooth)
             world_shading_normal(scene->world, at->rays[i], h, &normal);
@@ -42,6 +43,7 @@ static uint64_t add_crossed(paint_group *g, const shading *scene, const light_cr
     }
     if (g->texture)
         paint_group_enter(g, scene, object);
+    g->points.has_view = true;
     return rest;
 }
 

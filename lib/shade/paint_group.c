@@ -59,6 +59,8 @@ void paint_group_enter(paint_group *g, const shading *scene, const uint32_t *obj
 
     g->points.has_surface = g->points.in_world = true;
     g->points.has_world = scene->worlds;
+    g->points.has_uv = scene->uvs;
+    g->points.has_view = scene->views;
     if (!paint_has_spaces(scene->model))
         return;
     for (first = 0; first < g->count; first = end) {

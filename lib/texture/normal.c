@@ -264,10 +264,9 @@ static void add_member(const model *m, const normal_node *member, const blending
 
     if (n == 0)
         return;
-    points_pick(points, lane, n, &picked);
     for (uint32_t i = 0; i < n; i++)
         lanes_put(&own, i, lanes_at(normal, lane[i]));
-    eval(m, member, &picked, n, is_scaled, &own);
+    eval(m, member, points_pick(points, b->n, lane, n, &picked), n, is_scaled, &own);
     for (uint32_t i = 0; i < n; i++)
         lanes_put(sum, lane[i], pov_add(lanes_at(sum, lane[i]), pov_scale(lanes_at(&own, i), share[i])));
 }

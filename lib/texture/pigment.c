@@ -61,8 +61,7 @@ static void add_member(const model *m, const pigment_node *member, const blendin
 
     if (n == 0)
         return;
-    points_pick(points, lane, n, &picked);
-    pigment_eval(m, member, &picked, n, part);
+    pigment_eval(m, member, points_pick(points, b->n, lane, n, &picked), n, part);
     for (uint32_t i = 0; i < n; i++)
         out[lane[i]] = add(out[lane[i]], scale(part[i], share[i]));
 }

@@ -248,9 +248,13 @@ static void copy_surface(const texture_points *in, uint32_t n, texture_points *o
     out->has_world = in->has_world;
     if (in->has_world)
         out->world = in->world;
-    out->uv = in->uv;
+    out->has_uv = in->has_uv;
+    if (in->has_uv)
+        out->uv = in->uv;
     out->normal = in->normal;
-    out->view = in->view;
+    out->has_view = in->has_view;
+    if (in->has_view)
+        out->view = in->view;
     out->in_world = in->in_world;
     if (!in->in_world)
         memcpy(out->linear, in->linear, n * sizeof in->linear[0]);
@@ -268,22 +272,31 @@ static void pick(const vec_lanes *in, const uint8_t *lane, uint32_t n, vec_lanes
         lanes_put(out, i, lanes_at(in, lane[i]));
 }
 
-void points_pick(const texture_points *in, const uint8_t *lane, uint32_t n, texture_points *out)
+const texture_points *points_pick(const texture_points *in, uint32_t whole, const uint8_t *lane, uint32_t n, texture_points *memory)
 {
+    texture_points *const out = memory;
+
+    if (n == whole)
+        return in;
     pick(&in->at, lane, n, &out->at);
     pick(&in->at_lo, lane, n, &out->at_lo);
     out->has_surface = in->has_surface;
     if (!in->has_surface)
-        return;
+        return out;
     out->has_world = in->has_world;
     if (in->has_world)
         pick(&in->world, lane, n, &out->world);
-    pick(&in->uv, lane, n, &out->uv);
+    out->has_uv = in->has_uv;
+    if (in->has_uv)
+        pick(&in->uv, lane, n, &out->uv);
     pick(&in->normal, lane, n, &out->normal);
-    pick(&in->view, lane, n, &out->view);
+    out->has_view = in->has_view;
+    if (in->has_view)
+        pick(&in->view, lane, n, &out->view);
     out->in_world = in->in_world;
     for (uint32_t i = 0; !in->in_world && i < n; i++)
         out->linear[i] = in->linear[lane[i]];
+    return out;
 }
 
 pattern_input points_input(const model *m, const pattern *p, const texture_points *in, const vec_lanes *at, uint32_t n)

@@ -10,8 +10,8 @@
 void points_place(const model *m, const pattern *p, const texture_points *in, uint32_t n, vec_lanes *at, vec_lanes *lo);
 /* The same for members of a blend, which begin where the pattern stands. */
 void points_enter(const model *m, const pattern *p, const texture_points *in, uint32_t n, texture_points *out);
-/* Some of the lanes. */
-void points_pick(const texture_points *in, const uint8_t *lane, uint32_t n, texture_points *out);
+/* Some of `whole` lanes, in their order: in memory, or all of them as they are. */
+const texture_points *points_pick(const texture_points *in, uint32_t whole, const uint8_t *lane, uint32_t n, texture_points *memory);
 /* What a class is asked with, for points in the pattern's space. */
 pattern_input points_input(const model *m, const pattern *p, const texture_points *in, const vec_lanes *at, uint32_t n);
 /* The points that a class was asked with, for pigments that it asks. */

@@ -207,19 +207,20 @@ static void add_terms(terms *t, const texture *of, const texture_points *points,
 static void add_member(terms *t, const texture *member, const blending *b, uint32_t number, const texture_points *points,
                        const part *outer, const normal_blend *around)
 {
-    texture_points picked;
+    texture_points memory;
+    const texture_points *picked;
     part own;
 
     own.around = around;
     own.n = blend_lanes(b, number, own.lane, own.share);
     if (own.n == 0)
         return;
-    points_pick(points, own.lane, own.n, &picked);
+    picked = points_pick(points, b->n, own.lane, own.n, &memory);
     for (uint32_t i = 0; i < own.n; i++) {
         own.share[i] *= outer->share[own.lane[i]];
         own.lane[i] = outer->lane[own.lane[i]];
     }
-    add_terms(t, member, &picked, &own);
+    add_terms(t, member, picked, &own);
 }
 
 static void add_terms(terms *t, const texture *of, const texture_points *points, const part *p)
@@ -314,8 +315,7 @@ static void add_filters(const model *m, const texture *member, const blending *b
     own.n = blend_lanes(b, number, own.lane, own.share);
     if (own.n == 0)
         return;
-    points_pick(points, own.lane, own.n, &picked);
-    texture_filters(m, member, &picked, own.n, filters);
+    texture_filters(m, member, points_pick(points, b->n, own.lane, own.n, &picked), own.n, filters);
     for (uint32_t i = 0; i < own.n; i++)
         out[own.lane[i]] = colour_add(out[own.lane[i]], colour_scale(filters[i], own.share[i]));
 }
@@ -373,15 +373,15 @@ static void find_stack_focus(const model *m, const texture *of, const texture_po
 
 static void find_focus(const model *m, const texture *of, const texture_points *points, const part *p, const double *power, double *out);
 
-static void add_focus(const model *m, const texture *member, const texture_points *points, const part *p, const double *power, double *out)
+static void add_focus(const model *m, const texture *member, const texture_points *points, uint32_t whole, const part *p,
+                      const double *power, double *out)
 {
     SIMD_ALIGNED double own[LANES_MAX], by[LANES_MAX];
     texture_points picked;
 
-    points_pick(points, p->lane, p->n, &picked);
     for (uint32_t i = 0; i < p->n; i++)
         own[i] = power[p->lane[i]];
-    find_focus(m, member, &picked, p, own, by);
+    find_focus(m, member, points_pick(points, whole, p->lane, p->n, &picked), p, own, by);
     for (uint32_t i = 0; i < p->n; i++)
         out[p->lane[i]] += (double)p->share[i] * by[i];
 }
@@ -405,7 +405,7 @@ static void find_focus(const model *m, const texture *of, const texture_points *
         member.around = of->blend == BLEND_PARTS ? p->around : &own;
         member.n = blend_lanes(&b, k, member.lane, member.share);
         if (member.n > 0)
-            add_focus(m, of->textures[k], &inner, &member, power, out);
+            add_focus(m, of->textures[k], &inner, p->n, &member, power, out);
     }
 }
 

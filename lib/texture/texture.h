@@ -19,7 +19,8 @@ typedef struct texture_points {
     const linear_map *linear[LANES_MAX]; /* of the map from the world to the space of `at`; NULL: it is the world */
     bool in_world;               /* all of them are NULL, and are not set */
     const texture_part *parts;   /* by lane of the whole; for BLEND_PARTS only */
-    bool has_surface;            /* uv, normals, views and linear parts are there */
+    bool has_surface;            /* normals and linear parts are there */
+    bool has_uv, has_view;       /* of those with a surface: and these too */
     bool has_world;              /* of those with a surface: so are the points in the world */
     vec_lanes world;
 } texture_points;

@@ -26,7 +26,7 @@ static pov_vec3 perturbed(const char *text, pov_vec3 at, pov_vec3 normal)
     if (r.status != POV_OK)
         fail_msg("%s: %s", text, r.error.message);
     memset(&points, 0, sizeof points);
-    points.has_surface = true;
+    points.has_surface = points.has_uv = points.has_view = true;
     map = model_texture_map(&r.model, 0, &space);
     texture_point(&points, 0, at, zero);
     texture_points_map(map, 0, 1, &points);
