@@ -398,6 +398,33 @@ static void slopes_see_the_normal_that_was_bent_last(void **state)
     assert_true(last_shown("texture { gradient x texture_map { [0 pigment { rgb 0 } normal { B }] [1 pigment { A }] } }") == flat);
 }
 
+/* Points of one cube are measured together, as many as there is room for. */
+static void crackle_gives_points_of_a_cube_what_it_gives_each(void **state)
+{
+    static const char *const kinds[] = { "", "form <.2, .4, .1>", "metric 3", "metric .5", "metric .5 form <1, -.5, .2> offset .1", "metric 1", "solid",
+                                         "solid metric 3" };
+    (void)state;
+
+    for (size_t k = 0; k < sizeof kinds / sizeof kinds[0]; k++) {
+        static texture_term all[LANES_MAX], one;
+        double x[LANES_MAX];
+        char text[256];
+        reading r;
+
+        snprintf(text, sizeof text, "#version 3.7; sphere { 0, 1 pigment { crackle %s color_map { [0 rgb 0] [1 rgb 1] } } }", kinds[k]);
+        read_text(&r, text);
+        for (uint32_t i = 0; i < LANES_MAX; i++)
+            x[i] = i < 50 ? 0.01 + 0.017 * i : 3.3 - 0.4 * i;
+        assert_int_equal(terms_beside(&r, 0, x, 0.4, LANES_MAX, all), LANES_MAX);
+        for (uint32_t i = 0; i < LANES_MAX; i++) {
+            assert_int_equal(terms_beside(&r, 0, &x[i], 0.4, 1, &one), 1);
+            assert_memory_equal(&one.pigment, &all[i].pigment, sizeof one.pigment);
+        }
+        assert_memory_not_equal(&all[0].pigment, &all[49].pigment, sizeof one.pigment);
+        reading_end(&r);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -415,6 +442,7 @@ int main(void)
         cmocka_unit_test(filters_are_products_of_layers_and_means_of_members),
         cmocka_unit_test(layers_are_colourless_if_laid_before_version_3_5),
         cmocka_unit_test(wrong_textures_are_refused),
+        cmocka_unit_test(crackle_gives_points_of_a_cube_what_it_gives_each),
     };
 
     return cmocka_run_group_tests(tests, NULL, NULL);
