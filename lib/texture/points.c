@@ -174,19 +174,59 @@ void texture_points_map(const inverse_map *map, uint32_t first, uint32_t end, te
         map_some(map, first, end - first, &io->at, &io->at_lo);
 }
 
-/* Where nothing is moved; 0 is added as it would be, which makes of -0 a 0. */
-SIMD_CLONES SIMD_NOINLINE static void turn_points(const inverse_map *restrict map, const vec_lanes *restrict at,
-                                    const vec_lanes *restrict at_lo, uint32_t n, vec_lanes *restrict out)
+/* One coordinate where nothing is moved; 0 is added as it would be, which makes of -0 a 0. */
+SIMD_CLONES SIMD_NOINLINE static void turn_axis(const inverse_map *restrict map, int row, const vec_lanes *restrict at,
+                                                const vec_lanes *restrict at_lo, uint32_t n, double *restrict out)
 {
     uint32_t i = 0;
 
-    do {
-        const pov_two3 p = pov_two3_of(lanes_at(at, i), lanes_at(at_lo, i));
+    do
+        out[i] = turned(map, row, pov_two3_of(lanes_at(at, i), lanes_at(at_lo, i))).hi + 0.0;
+    while (++i < n);
+}
 
-        out->x[i] = turned(map, 0, p).hi + 0.0;
-        out->y[i] = turned(map, 1, p).hi + 0.0;
-        out->z[i] = turned(map, 2, p).hi + 0.0;
-    } while (++i < n);
+/* The same of two coordinates, where the third counts for nothing: its product is zero, and the sum without it the same. */
+SIMD_CLONES SIMD_NOINLINE static void turn_two(pov_two by_a, const double *restrict a, const double *restrict a_lo, pov_two by_b,
+                                               const double *restrict b, const double *restrict b_lo, uint32_t n, double *restrict out)
+{
+    uint32_t i = 0;
+
+    do
+        out[i] = pov_two_add(pov_two_mul(by_a, pov_two_of(a[i], a_lo[i])), pov_two_mul(by_b, pov_two_of(b[i], b_lo[i]))).hi + 0.0;
+    while (++i < n);
+}
+
+/* The columns of a row that count. Returns how many. */
+static int find_columns(const linear_map *l, int row, int out[3])
+{
+    int count = 0;
+
+    for (int k = 0; k < 3; k++) {
+        out[count] = k;
+        count += l->m[row][k] != 0.0 || l->m_lo[row][k] != 0.0;
+    }
+    return count;
+}
+
+static pov_two number_at(const linear_map *l, int row, int column) { return pov_two_of(l->m[row][column], l->m_lo[row][column]); }
+
+static void turn_points(const inverse_map *map, const vec_lanes *at, const vec_lanes *at_lo, uint32_t n, vec_lanes *out)
+{
+    double *const to[3] = { out->x, out->y, out->z };
+    const linear_map *l = map->linear;
+
+    for (int i = 0; i < 3; i++) {
+        int k[3];
+        const int count = find_columns(l, i, k);
+
+        if (count == 3)
+            turn_axis(map, i, at, at_lo, n, to[i]);
+        else if (count == 2)
+            turn_two(number_at(l, i, k[0]), axis_of(at, k[0]), axis_of(at_lo, k[0]), number_at(l, i, k[1]), axis_of(at, k[1]),
+                     axis_of(at_lo, k[1]), n, to[i]);
+        else
+            scale_axis_only(number_at(l, i, k[0]), axis_of(at, k[0]), axis_of(at_lo, k[0]), n, to[i]);
+    }
 }
 
 static bool moves(const inverse_map *map)

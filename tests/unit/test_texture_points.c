@@ -14,7 +14,7 @@ static double between(uint64_t *seed, double low, double high) { return low + (h
 /* ---- the space of a pattern ---- */
 
 /* Is every point the upper part of what double-double arithmetic gives, without a shortcut? */
-static void is_as_exact(double (*entry)(int row, int column))
+static void is_as_exact(double (*entry)(int row, int column), double move)
 {
     static texture_points in;
     const vec_lanes *const at = &in.at;
@@ -29,7 +29,7 @@ static void is_as_exact(double (*entry)(int row, int column))
     model_init(&m, &e);
     for (int i = 0; i < 3; i++)
         for (int k = 0; k < 4; k++) {
-            map.inv[i][k] = k < 3 ? entry(i, k) : 0.3 * (i + 1);
+            map.inv[i][k] = k < 3 ? entry(i, k) : move * (i + 1);
             map.inv_lo[i][k] = map.inv[i][k] * 0x1.3p-54;
         }
     p.map = map_table_add(&m.kept_maps, &e, &map);
@@ -47,14 +47,20 @@ static void is_as_exact(double (*entry)(int row, int column))
 
 static double stretched(int row, int column) { return row == column ? 0.7 + row : 0.0; }
 static double turned(int row, int column) { return column == (row + 1) % 3 ? (row == 1 ? -1.3 : 0.9) : 0.0; }
+static double tilted(int row, int column) { return (row == 0) == (column == 0) ? 0.6 + 0.3 * row - 0.8 * column : 0.0; }
+static double leaning(int row, int column) { return (row + column) % 3 == 1 ? 0.0 : 0.6 + 0.3 * row - 0.8 * column; }
 static double any(int row, int column) { return 0.3 + 0.7 * row - 0.9 * column; }
 
 static void points_are_rounded_once(void **state)
 {
     (void)state;
-    is_as_exact(stretched);
-    is_as_exact(turned);
-    is_as_exact(any);
+    for (int moved = 0; moved < 2; moved++) {
+        is_as_exact(stretched, 0.3 * moved);
+        is_as_exact(turned, 0.3 * moved);
+        is_as_exact(tilted, 0.3 * moved);
+        is_as_exact(leaning, 0.3 * moved);
+        is_as_exact(any, 0.3 * moved);
+    }
 }
 
 /* ---- images ---- */
