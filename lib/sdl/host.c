@@ -30,7 +30,7 @@ static double number(pov_reader *in)
 
 static void vector(pov_reader *in, pov_vec3 *out)
 {
-    *out = value_vector(in);
+    *out = in->has_faces ? value_vector_of_face(in) : value_vector(in);
 }
 
 static bool is_punct(const char *word)

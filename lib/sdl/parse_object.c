@@ -429,6 +429,7 @@ static void read_leaf(pov_reader *in, symbol *word, object_parsed *o)
     }
     o->leaf.instance = state_alloc(in, parse_shape_size(word->shape), 32);
     parse_parts_begin(in, &parts);
+    in->has_faces = word->shape->face != NULL;
     if (o->leaf.instance)
         word->shape->parse(o->leaf.instance, &host_functions, in);
     parse_parts_end(in, &parts, o);

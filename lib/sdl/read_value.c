@@ -70,7 +70,7 @@ static double component(pov_reader *in)
 
     if (!read_literal(in, &number))
         number = expression_number(in);
-    return finite(in, number);
+    return number;
 }
 
 double value_number(pov_reader *in)
@@ -78,7 +78,7 @@ double value_number(pov_reader *in)
     if (in->failed)
         return 0.0;
     in->value = in->token.at;
-    return component(in);
+    return finite(in, component(in));
 }
 
 double value_optional(pov_reader *in, double otherwise)
@@ -97,6 +97,7 @@ float value_float(pov_reader *in)
     return (float)number;
 }
 
+/* Its numbers may be anything. */
 static int angle_list(pov_reader *in, int least, int most, double *out)
 {
     int count = 0;
@@ -124,8 +125,8 @@ int value_list(pov_reader *in, const char *wanted, int least, int most, double *
         count = angle_list(in, least, most, out);
     else
         report_expected(in, wanted);
-    for (i = 0; i < most && in->failed; i++)
-        out[i] = 0.0;
+    for (i = 0; i < most; i++)
+        out[i] = in->failed ? 0.0 : finite(in, out[i]);
     return in->failed ? 0 : count;
 }
 
@@ -152,7 +153,8 @@ value value_read(pov_reader *in, const char *wanted_name)
     return result;
 }
 
-pov_vec3 value_vector(pov_reader *in)
+/* Its components may be anything. */
+static pov_vec3 any_vector(pov_reader *in)
 {
     place at = in->token.at;
     value v;
@@ -164,7 +166,24 @@ pov_vec3 value_vector(pov_reader *in)
     in->value = at;
     if (!expression_to_vector(in, &v))
         return pov_vec3_of(0.0, 0.0, 0.0);
-    return pov_vec3_of(finite(in, v.as.v[0]), finite(in, v.as.v[1]), finite(in, v.as.v[2]));
+    return pov_vec3_of(v.as.v[0], v.as.v[1], v.as.v[2]);
+}
+
+pov_vec3 value_vector(pov_reader *in)
+{
+    const pov_vec3 v = any_vector(in);
+
+    return pov_vec3_of(finite(in, v.x), finite(in, v.y), finite(in, v.z));
+}
+
+pov_vec3 value_vector_of_face(pov_reader *in)
+{
+    const pov_vec3 v = any_vector(in);
+
+    if (fabs(v.x) <= DBL_MAX && fabs(v.y) <= DBL_MAX && fabs(v.z) <= DBL_MAX)
+        return v;
+    report_warn(in, &in->value, "faces with a corner that is no number are left out; such a normal counts for nothing");
+    return pov_vec3_of(NAN, NAN, NAN);
 }
 
 static double component_of(const value *v, int i)

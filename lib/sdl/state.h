@@ -130,6 +130,7 @@ struct pov_reader {
     bool failed;                 /* from here on every token is the end of the text */
     pov_error error, first_error;
     size_t plugin_braces;        /* that plugins have opened */
+    bool has_faces;              /* the shape that a plugin reads: see value_vector_of_face() */
     token failed_at;             /* the next token when it failed, the braces open in front of it, */
     size_t failed_depth;
     bool failed_in_directive;    /* and whether a directive was being read */

@@ -128,6 +128,8 @@ double value_optional(pov_reader *in, double otherwise);
 /* A number stands for all components, a component of a vector for the first, two numbers have a 0 behind them, as in POV-Ray (for
  * flat polygons). */
 pov_vec3 value_vector(pov_reader *in);
+/* A corner or a normal of faces: what is not finite becomes NaN, with a warning. */
+pov_vec3 value_vector_of_face(pov_reader *in);
 /* A vector of `least` to `most` components; returns how many there are, behind them are zeros. A number fills all
  * and returns 1. */
 int value_components(pov_reader *in, int least, int most, double *out);

@@ -14,9 +14,10 @@ void common_mesh_drop(common_mesh_parts *p, const pov_host *host, pov_reader *in
 
 /* ---- the size ---- */
 
+/* Corners that are no numbers lie in any box. */
 static void find_box(common_mesh *m, const common_mesh_parts *p)
 {
-    pov_vec3 lo = p->corners[p->faces[0].at[0]], hi = lo;
+    pov_vec3 lo = pov_vec3_of(HUGE_VAL, HUGE_VAL, HUGE_VAL), hi = pov_scale(lo, -1.0);
     uint32_t i;
     int k;
 
@@ -50,7 +51,7 @@ static void move_face(common_face *of, uint32_t from, uint32_t to)
         of[to] = of[from];
 }
 
-/* Leave out faces whose corners lie on a line. */
+/* Leave out faces whose corners lie on a line, or are no numbers. */
 static void drop_degenerate(common_mesh_parts *p)
 {
     uint32_t i, kept = 0;

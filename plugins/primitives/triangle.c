@@ -5,13 +5,17 @@ static void parse(void *self, const pov_host *host, pov_reader *in)
 {
     common_triangle *t = self;
     pov_vec3 corner[3];
+    bool is_number = true;
     int i;
 
     for (i = 0; i < 3; i++) {
         if (i > 0)
             host->accept(in, ",");
         host->vector(in, &corner[i]);
+        is_number &= corner[i].x == corner[i].x;
     }
+    if (!is_number)
+        memset(corner, 0, sizeof corner);
     common_triangle_make(t, corner);
     if (!t->seen)
         host->warn(in, "the corners of this triangle lie on a line: it is not seen");

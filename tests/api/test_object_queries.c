@@ -147,6 +147,20 @@ static void a_triangle_holds_nothing(void **state)
     assert_value("#declare S = object { union { box { -1, 1 } triangle { x, y, z } } inverse }", "1 + inside(S, 9)", 1.0);
 }
 
+static void faces_with_a_corner_that_is_no_number_are_left_out(void **state)
+{
+#define BESIDE_NAN(S) "#declare No = mod(1, 0);" TRACED(S)
+    (void)state;
+    assert_value(BESIDE_NAN("mesh2 { vertex_vectors { 4, <No, 1, 1>, <-9, -9, .5>, <9, -9, .5>, <0, 9, .5> } face_indices { 2, <0, 1, 2>, <1, 2, 3> } }"),
+                 "P.z", 0.5);
+    assert_value(BESIDE_NAN("mesh2 { vertex_vectors { 3, <-9, -9, .5>, <9, -9, .5>, <0, 9, .5> }"
+                            " normal_vectors { 3, -z, <0, 1 / 0, 0>, -z } face_indices { 1, <0, 1, 2> } }"), "P.z", 0.5);
+    assert_value(BESIDE_NAN("mesh { triangle { <-9, -9, .2>, <9, -9, .2>, <0, No, .2> } triangle { <-9, -9, .5>, <9, -9, .5>, <0, 9, .5> } }"),
+                 "P.z", 0.5);
+    assert_value(BESIDE_NAN("union { triangle { <-9, -9, .2>, <9, -9, .2>, <0, 1 / 0, .2> } plane { -z, -.5 } }"), "P.z", 0.5);
+#undef BESIDE_NAN
+}
+
 static void a_polygon_may_be_asked_and_holds_nothing(void **state)
 {
     (void)state;
@@ -242,6 +256,7 @@ int main(void)
         cmocka_unit_test(a_triangle_beside_solids_in_a_union_is_traced_in_a_solid),
         cmocka_unit_test(what_a_triangle_leaves_of_solids_is_traced),
         cmocka_unit_test(the_normals_of_a_smooth_triangle_are_blended_in_the_scene),
+        cmocka_unit_test(faces_with_a_corner_that_is_no_number_are_left_out),
         cmocka_unit_test(a_polygon_may_be_asked_and_holds_nothing),
         cmocka_unit_test(a_union_of_nothing_is_nowhere_and_an_intersection_of_nothing_everywhere),
         cmocka_unit_test(a_lathe_of_bezier_splines_has_no_inside_nearer_than_its_points),
