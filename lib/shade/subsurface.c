@@ -238,7 +238,7 @@ static colour light_from(shade_context *c, const scene_light *from, const hit *a
     if (!(cosine > 0.0))
         return colour_of(0.0f, 0.0f, 0.0f);
     world_set_origin(&ray, at, 0);
-    world_origin_aim(&ray, at, cosine, 1.0);
+    world_origin_leave(&ray, at->outside == at->entering, cosine, 1.0);   /* the normal is the solid's */
     c->counts.shadow++;
     if (c->scene->plan->shadows && !(from->light->flags & LIGHT_SHADOWLESS) &&
         !transmittance_find(c, &rays, &path_at, 1, end, &through))

@@ -205,6 +205,34 @@ static void without_the_setting_light_is_diffuse(void **state)
     assert_true(fabs(found - 0.7) < 1e-6);
 }
 
+/* Light that enters where a line leaves the solid is seen from outside, whatever the shape and also where it cuts another. */
+static void one_solid_is_lit_alike_by_any_shape(void **state)
+{
+#define ISO "isosurface { function { x*x + y*y + z*z - 1 } max_gradient 3 contained_by { box { -1.1, 1.1 } }"
+    static const char *const pairs[][2] = {
+        { "sphere { 0, 1", ISO },
+        { "sphere { 0, 1", "superellipsoid { <1, 1>" },
+        { "difference { sphere { 0, 1.2 } sphere { 0, 1 }", "difference { sphere { 0, 1.2 } " ISO " }" },
+        { "difference { sphere { 0, 1 } box { <-2,0,-2>, 2 }", "difference { " ISO " } box { <-2,0,-2>, 2 }" },
+    };
+    static const char scene[] = SCENE("subsurface { }") "%s pigment { rgb .8 } interior { ior 1.3 }"
+                                "finish { ambient 0 subsurface { translucency 2 } } } light_source { <300,300,-100> rgb 1 }";
+
+    (void)state;
+    for (size_t i = 0; i < sizeof pairs / sizeof pairs[0]; i++) {
+        char text[2][1024];
+        double found[2];
+
+        for (int k = 0; k < 2; k++) {
+            snprintf(text[k], sizeof text[k], scene, pairs[i][k]);
+            found[k] = mean_of(text[k]);
+        }
+        if (!(fabs(found[1] / found[0] - 1.0) < 0.002))
+            fail_msg("%g instead of %g: %s", found[1], found[0], pairs[i][1]);
+    }
+#undef ISO
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -217,6 +245,7 @@ int main(void)
         cmocka_unit_test(light_scattered_once_depends_on_where_it_comes_from),
         cmocka_unit_test(light_goes_straight_through_without_being_scattered),
         cmocka_unit_test(without_the_setting_light_is_diffuse),
+        cmocka_unit_test(one_solid_is_lit_alike_by_any_shape),
     };
 
     return cmocka_run_group_tests(tests, NULL, NULL);
