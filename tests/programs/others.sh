@@ -1,6 +1,6 @@
 #!/bin/sh
-# Scenes as Jmol, Open Babel, Inkscape, DRAWxtl, Voro++, polymake, Graphviz, OpenSceneGraph, GRASS, Avogadro, Blender and
-# FreeCAD write them, each where it is installed.
+# Scenes as Jmol, Open Babel, Inkscape, DRAWxtl, Voro++, polymake, Graphviz, OpenSceneGraph, GRASS, ESyS-Particle,
+# Avogadro, Blender and FreeCAD write them, each where it is installed.
 # Usage: others.sh FOLDER
 here=$(cd "$(dirname "$0")" && pwd)
 cd "$1" || exit 1
@@ -157,6 +157,16 @@ height_field { tga "grass_hill.tga" smooth scale <64, 3600, 64> pigment { rgb <.
 #include "grass_areas.inc"
 END
 fi
+if have mesh2pov; then
+    printf 'Triangle\n3D-Nodes 5\n0 0 0 0 0 0\n1 1 0 1 0 0\n2 2 0 1 1 0\n3 3 0 0 1 0\n4 4 0 .5 .5 .8\n\n' > walls.lsm
+    printf 'Tri3 4\n0 0 0 1 4\n1 0 1 2 4\n2 0 2 3 4\n3 0 3 0 4\n' >> walls.lsm
+    mesh2pov -i walls.lsm -o esys_walls.inc > /dev/null
+    cat > esys_walls.pov <<'END'
+camera { location <3, 2, 3> look_at <.5, .5, .3> sky z }
+light_source { <5, 3, 8> rgb 1 }
+#include "esys_walls.inc"
+END
+fi
 if [ -e /usr/include/avogadro/rendering/povrayvisitor.h ]; then
     ${CXX:-g++} -I/usr/include/eigen3 -I/usr/include/avogadro "$here/with_avogadro.cpp" -lAvogadroRendering -lAvogadroCore -o writer
     ./writer > avogadro_molecule.pov
@@ -167,4 +177,4 @@ fi
 if have freecadcmd; then
     SCENES=$PWD timeout 120 freecadcmd "$here/with_freecad.py" < /dev/null > /dev/null
 fi
-rm -f molecule.xyz script.spt drawing.svg cells cells.vol solid.pl graph.dot pyramid.obj pyramid.mtl map.sh writer
+rm -f molecule.xyz script.spt drawing.svg cells cells.vol solid.pl graph.dot pyramid.obj pyramid.mtl map.sh walls.lsm writer

@@ -2,10 +2,10 @@
 """Scenes as programs write them today, drawn by povc and by POV-Ray.
 
 The programs are installed where they can be: ASE, PyMOL, VTK, vapory, fdray, plato, povplot and pypdb2pov from PyPI into a folder
-of their own; Jmol, Open Babel, Inkscape, DRAWxtl, Voro++, polymake, Graphviz, OpenSceneGraph, GRASS, Avogadro, Blender and
-FreeCAD are used where the system has them (Debian: jmol xvfb openbabel inkscape drawxtl voro++ polymake graphviz
-openscenegraph grass-core libavogadro-dev blender freecad-python3). Then the calls by which ASE, vapory, fdray, PyMOL, plato
-and povplot render are made with povc under the name `povray`, and tests/corpus/corpus.py compares the scenes.
+of their own; Jmol, Open Babel, Inkscape, DRAWxtl, Voro++, polymake, Graphviz, OpenSceneGraph, GRASS, ESyS-Particle, Avogadro,
+Blender and FreeCAD are used where the system has them (Debian: jmol xvfb openbabel inkscape drawxtl voro++ polymake graphviz
+openscenegraph grass-core esys-particle libavogadro-dev blender freecad-python3). Then the calls by which ASE, vapory,
+fdray, PyMOL, plato and povplot render are made with povc under the name `povray`, and tests/corpus/corpus.py compares the scenes.
 
 Mayavi, PyVista and ParaView write what VTK writes. RasMol, Gdis, Wings 3D, LeoCAD and Structure Synth write scenes by their
 menus alone; OVITO, gmsh, Geomview, MeshLab and Assimp write none (any more).
