@@ -103,6 +103,14 @@ static inline void put_end(end_lanes *out, uint32_t i, const crossed *end, int c
     out->feature[i] = end->feature;
 }
 
+/* Where an axis is left; of one along which the box has no extent, if the ray enters there: where the others are left. */
+static inline double leave_axis(const box_lanes *l, uint32_t i, int axis, const crossed *end, double far)
+{
+    const int is_planar = (l->plane[4 * axis][i] == l->plane[4 * axis + 2][i]) & (l->plane[4 * axis + 1][i] == l->plane[4 * axis + 3][i]);
+
+    return is_planar & (int)(end->feature >= 2.0 * axis) & (int)(end->feature < 2.0 * axis + 2.0) ? HUGE_VAL : far;
+}
+
 /* As begin(), find() and report() for one end. A direction without a component along some axis gives infinite
  * distances, which are not certain. */
 COMMON_CLONES static void find_ends(const box_lanes *restrict l, end_lanes *restrict out)
@@ -112,7 +120,7 @@ COMMON_CLONES static void find_ends(const box_lanes *restrict l, end_lanes *rest
     for (i = 0; i < COMMON_LANES; i++) {
         const scaled_ray r = get_scaled(l, i);
         crossed x, y, z, xy, end;
-        double far_x, far_y, far_z, far_xy, far;
+        double far_x, far_y, far_z, far_xy, far;   /* far: where it is left for certain */
         int certain;
 
         cross_axis(l, i, 0, r.ray.org.x, r.ray.org_lo.x, r.d.x, r.d_lo.x, &x, &far_x);
@@ -121,7 +129,7 @@ COMMON_CLONES static void find_ends(const box_lanes *restrict l, end_lanes *rest
         xy = choose(y.t > x.t, y, x);
         far_xy = common_lesser(far_y, far_x);
         end = choose(z.t > xy.t, z, xy);
-        far = common_lesser(far_z, far_xy);
+        far = common_lesser(leave_axis(l, i, 2, &end, far_z), common_lesser(leave_axis(l, i, 1, &end, far_y), leave_axis(l, i, 0, &end, far_x)));
         certain = is_disjoint(y.t, x.t) & is_disjoint(z.t, xy.t) & is_disjoint(far_y, far_x)
             & is_disjoint(far_z, far_xy) &
                   ((int)(l->sign[i] < 0.0) | (is_disjoint(end.t, far) & (int)(end.t < far)));
