@@ -61,6 +61,10 @@ const char *shape_class_check(const pov_shape_class *c);
 /* Patches have no inside, and normals that nothing inverts. A mesh without inside vector is not one of them. */
 static inline bool shape_is_patch(const shape_class *c) { return !(c->flags & POV_SHAPE_SOLID); }
 
+/* Of shapes with faces: one triangle, and no mesh of them. */
+static inline bool shape_is_triangle(const shape_class *c) { return (c->flags & POV_SHAPE_CONVEX) && c->face; }
+static inline bool shape_is_mesh(const shape_class *c) { return c->face && !shape_is_triangle(c); }
+
 /* Has the shape that parse() wrote an inside? */
 static inline bool shape_is_solid(const shape_class *c, const void *parsed)
 {

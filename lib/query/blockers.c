@@ -45,9 +45,6 @@ static bool is_inside(const asking *a, const shape_class *shape, const void *sel
     return true;
 }
 
-/* A triangle, which is an object of its own. */
-static bool is_triangle(const shape_class *shape) { return (shape->flags & POV_SHAPE_CONVEX) && shape->face; }
-
 /* Does no ray of the shaft meet the shape again, having started on it? Chords of a convex one meet it at their ends only. self: in the
  * world, or NULL. */
 static bool is_left(const asking *a, const shape_class *shape, const void *self, uint32_t object, bool is_plane)
@@ -57,7 +54,7 @@ static bool is_left(const asking *a, const shape_class *shape, const void *self,
     for (int i = 0; i < 2; i++) {
         if (object != a->left[i].object)
             continue;
-        if (is_plane || is_triangle(shape) || (convex && (chords || a->left[i].outward)))
+        if (is_plane || shape_is_triangle(shape) || (convex && (chords || a->left[i].outward)))
             return true;
     }
     return a->unseen && is_inside(a, shape, self, object);
@@ -251,7 +248,7 @@ static bool may_overlap_face(const asking *a, const shape_class *shape, const vo
 {
     pov_face f;
 
-    return !is_triangle(shape) || !shape->face(self, 0, &f) || shaft_may_overlap_triangle(a->in, f.corners, f.normal, !a->unseen);
+    return !shape_is_triangle(shape) || !shape->face(self, 0, &f) || shaft_may_overlap_triangle(a->in, f.corners, f.normal, !a->unseen);
 }
 
 /* The shape's own box, or else the leaf's. */

@@ -8,18 +8,12 @@
 
 enum { MESHES_MAX = 4096, ROWS_MAX = 1024 };
 
-/* A triangle that is an object of its own is no mesh. */
-static bool has_faces(const object_parsed *o)
-{
-    return o->kind == OBJECT_LEAF && o->leaf.shape->face != NULL && !(o->leaf.shape->flags & POV_SHAPE_CONVEX);
-}
-
 static bool next_mesh(pov_reader *in, object_parsed *o)
 {
     state_accept(in, ',');
     if (in->failed || !parse_object_try(in, o))
         return false;
-    if (!in->failed && !has_faces(o))
+    if (!in->failed && !(o->kind == OBJECT_LEAF && shape_is_mesh(o->leaf.shape)))
         report_fail(in, &in->last, POV_E_SYNTAX, "a mesh_camera sees by the faces of meshes");
     return !in->failed;
 }
