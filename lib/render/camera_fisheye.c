@@ -5,19 +5,29 @@
 /* Where on the disc, which has the radius 1, and how far from the view. */
 typedef struct place { double x, y, q, angle; } place;
 
-static place fisheye_place(const pov_camera *c, double u, double v)
+/* Lengths of the camera's right and up. */
+typedef struct screen { double width, height, angle; } screen;
+
+static screen screen_of(const pov_camera *c)
 {
-    place p = { 2.0 * u * camera_length(c->right), 2.0 * v * camera_length(c->up), 0.0, 0.0 };
+    const screen s = { camera_length(c->right), camera_length(c->up), c->angles[0] };
+
+    return s;
+}
+
+SIMD_INLINE place fisheye_place(const screen *s, double u, double v)
+{
+    place p = { 2.0 * u * s->width, 2.0 * v * s->height, 0.0, 0.0 };
 
     p.q = sqrt(p.x * p.x + p.y * p.y);
-    p.angle = 0.5 * p.q * c->angles[0];
+    p.angle = 0.5 * p.q * s->angle;
     return p;
 }
 
 /* A dome that leans back by 45 degrees; the polynomial was measured on POV-Ray's pictures. */
-static place omnimax_place(const pov_camera *c, double u, double v)
+SIMD_INLINE place omnimax_place(const screen *c, double u, double v)
 {
-    const double ratio = camera_length(c->up) / camera_length(c->right), least = 0.7791453;   /* 45 degrees below the view at the lower edge */
+    const double ratio = c->height / c->width, least = 0.7791453;   /* 45 degrees below the view at the lower edge */
     const double s = ratio > least ? ratio : least;
     place p;
     double q3;
@@ -30,29 +40,36 @@ static place omnimax_place(const pov_camera *c, double u, double v)
     return p;
 }
 
-static void tilt(const camera_basis *b, const place *p, pov_vec3 *dir)
+SIMD_INLINE pov_vec3 tilted(const camera_basis *b, const place *p, double cosine, double sine)
 {
-    const double sine = p->q > 0.0 ? elementary_sin(p->angle) / p->q : 0.0;
+    const double by = p->q > 0.0 ? sine / p->q : 0.0;
 
-    *dir = camera_combine(b, sine * p->x, sine * p->y, elementary_cos(p->angle));
+    return camera_combine(b, by * p->x, by * p->y, cosine);
 }
 
-static bool fisheye(const camera_basis *b, double u, double v, pov_vec3 *dir, pov_vec3 *start)
+SIMD_CLONES static void fisheye(const camera_basis *restrict b, const raygen_screen *restrict through, uint32_t n, camera_lanes *restrict out)
 {
-    const place p = fisheye_place(b->camera, u, v);
+    const screen s = { b->width, b->height, b->camera->angles[0] };
 
-    (void)start;
-    tilt(b, &p, dir);
-    return p.q <= 1.0;
+    for (uint32_t i = 0; i < n; i++) {
+        const place p = fisheye_place(&s, through->u[i], through->v[i]);
+
+        lanes_put(&out->dir, i, tilted(b, &p, elementary_cos(p.angle), elementary_sin(p.angle)));
+        out->black[i] = p.q <= 1.0 ? 0.0 : 1.0;
+    }
 }
 
-static bool omnimax(const camera_basis *b, double u, double v, pov_vec3 *dir, pov_vec3 *start)
+SIMD_CLONES static void omnimax(const camera_basis *restrict b, const raygen_screen *restrict through, uint32_t n, camera_lanes *restrict out)
 {
-    const place p = omnimax_place(b->camera, u, v);
+    const screen s = { b->width, b->height, 0.0 };
 
-    (void)start;
-    tilt(b, &p, dir);
-    return p.q <= 1.0 && elementary_sin(p.angle) * p.y + elementary_cos(p.angle) * p.q >= 0.0;
+    for (uint32_t i = 0; i < n; i++) {
+        const place p = omnimax_place(&s, through->u[i], through->v[i]);
+        const double cosine = elementary_cos(p.angle), sine = elementary_sin(p.angle), below = sine * p.y + cosine * p.q >= 0.0 ? 0.0 : 1.0;
+
+        lanes_put(&out->dir, i, tilted(b, &p, cosine, sine));
+        out->black[i] = p.q <= 1.0 ? below : 1.0;
+    }
 }
 
 /* Normals are looked up by the direction on the disc, from -90 degrees to 270, and the angle to the view. */
@@ -64,17 +81,28 @@ static void polar(place p, double *x, double *y)
     *y = p.angle;
 }
 
-static void fisheye_point(const pov_camera *c, double u, double v, double *x, double *y) { polar(fisheye_place(c, u, v), x, y); }
-static void omnimax_point(const pov_camera *c, double u, double v, double *x, double *y) { polar(omnimax_place(c, u, v), x, y); }
+static void fisheye_point(const pov_camera *c, double u, double v, double *x, double *y)
+{
+    const screen s = screen_of(c);
+
+    polar(fisheye_place(&s, u, v), x, y);
+}
+
+static void omnimax_point(const pov_camera *c, double u, double v, double *x, double *y)
+{
+    const screen s = screen_of(c);
+
+    polar(omnimax_place(&s, u, v), x, y);
+}
 
 static unsigned aim_fisheye(const pov_camera *camera, const raygen_screen *through, uint32_t n, pov_ray *rays)
 {
-    return camera_aim_each(fisheye, camera, through, n, rays);
+    return camera_aim_along(fisheye, camera, through, n, rays);
 }
 
 static unsigned aim_omnimax(const pov_camera *camera, const raygen_screen *through, uint32_t n, pov_ray *rays)
 {
-    return camera_aim_each(omnimax, camera, through, n, rays);
+    return camera_aim_along(omnimax, camera, through, n, rays);
 }
 
 const camera_class camera_fisheye = { aim_fisheye, fisheye_point };

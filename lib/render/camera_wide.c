@@ -4,6 +4,8 @@
 #include "base/elementary.h"
 #include "shade/tracer.h"
 
+#include <string.h>
+
 static const double pi = 3.14159265358979323846;
 
 camera_basis camera_basis_of(const pov_camera *camera)
@@ -19,22 +21,23 @@ camera_basis camera_basis_of(const pov_camera *camera)
     return b;
 }
 
-unsigned camera_aim_each(camera_ray *find, const pov_camera *camera, const raygen_screen *through, uint32_t n, pov_ray *rays)
+unsigned camera_aim_along(camera_directions *find, const pov_camera *camera, const raygen_screen *through, uint32_t n, pov_ray *rays)
 {
+    const pov_vec3 nowhere = { HUGE_VAL, HUGE_VAL, HUGE_VAL };
     const camera_basis b = camera_basis_of(camera);
+    camera_lanes found;
 
+    memset(found.black, 0, sizeof found.black);
+    find(&b, through, n, &found);
     for (uint32_t i = 0; i < n; i++) {
-        pov_vec3 start = pov_vec3_of(0.0, 0.0, 0.0);
-
-        if (!find(&b, through->u[i], through->v[i], &rays[i].dir, &start))
-            rays[i].dir = pov_vec3_of(HUGE_VAL, HUGE_VAL, HUGE_VAL);
-        rays[i].org = pov_add(camera->location, start);
+        rays[i].org = camera->location;
+        rays[i].dir = found.black[i] != 0.0 ? nowhere : lanes_at(&found.dir, i);
     }
     return 0;
 }
 
 /* Turned about a unit vector, from z towards x about y. */
-static pov_vec3 turned(pov_vec3 v, pov_vec3 about, double angle)
+SIMD_INLINE pov_vec3 turned(pov_vec3 v, pov_vec3 about, double angle)
 {
     const double cosine = elementary_cos(angle);
     const pov_vec3 across = pov_scale(pov_cross_product(about, v), elementary_sin(angle)), along = pov_scale(about, pov_dot(about, v) * (1.0 - cosine));
@@ -44,47 +47,50 @@ static pov_vec3 turned(pov_vec3 v, pov_vec3 about, double angle)
 
 /* ---- the kinds ---- */
 
-static bool ultra_wide(const camera_basis *b, double u, double v, pov_vec3 *dir, pov_vec3 *start)
+SIMD_CLONES static void ultra_wide(const camera_basis *restrict b, const raygen_screen *restrict through, uint32_t n, camera_lanes *restrict out)
 {
-    const double across = u * b->camera->angles[0], upwards = v * b->camera->angles[0] * b->height / b->width;
+    const double width = b->camera->angles[0], height = b->height, by = b->width;
 
-    (void)start;
-    *dir = camera_combine(b, elementary_sin(across), elementary_sin(upwards), elementary_cos(across) * elementary_cos(upwards));
-    return true;
+    for (uint32_t i = 0; i < n; i++) {
+        const double across = through->u[i] * width, upwards = through->v[i] * width * height / by;
+
+        lanes_put(&out->dir, i, camera_combine(b, elementary_sin(across), elementary_sin(upwards), elementary_cos(across) * elementary_cos(upwards)));
+    }
 }
 
-static bool panoramic(const camera_basis *b, double u, double v, pov_vec3 *dir, pov_vec3 *start)
+SIMD_CLONES static void panoramic(const camera_basis *restrict b, const raygen_screen *restrict through, uint32_t n, camera_lanes *restrict out)
 {
-    const double level = elementary_cos(v * pi);
+    for (uint32_t i = 0; i < n; i++) {
+        const double across = through->u[i] * pi, upwards = through->v[i] * pi, level = elementary_cos(upwards);
 
-    (void)start;
-    *dir = camera_combine(b, b->width * elementary_sin(u * pi) * level, b->height * elementary_sin(v * pi),
-                          b->depth * elementary_cos(u * pi) * level);
-    return true;
+        lanes_put(&out->dir, i, camera_combine(b, b->width * elementary_sin(across) * level, b->height * elementary_sin(upwards),
+                                               b->depth * elementary_cos(across) * level));
+    }
 }
 
 /* The view is turned about what is right, and then about what is up: where right is mirrored it is up and down that change
  * places, as in POV-Ray. */
-static bool spherical(const camera_basis *b, double u, double v, pov_vec3 *dir, pov_vec3 *start)
+SIMD_CLONES static void spherical(const camera_basis *restrict b, const raygen_screen *restrict through, uint32_t n, camera_lanes *restrict out)
 {
-    (void)start;
-    *dir = turned(turned(b->view, b->right, -v * b->camera->angles[1]), b->up, u * b->camera->angles[0]);
-    return true;
+    const double across = b->camera->angles[0], upwards = b->camera->angles[1];
+
+    for (uint32_t i = 0; i < n; i++)
+        lanes_put(&out->dir, i, turned(turned(b->view, b->right, -through->v[i] * upwards), b->up, through->u[i] * across));
 }
 
 static unsigned aim_ultra_wide(const pov_camera *camera, const raygen_screen *through, uint32_t n, pov_ray *rays)
 {
-    return camera_aim_each(ultra_wide, camera, through, n, rays);
+    return camera_aim_along(ultra_wide, camera, through, n, rays);
 }
 
 static unsigned aim_panoramic(const pov_camera *camera, const raygen_screen *through, uint32_t n, pov_ray *rays)
 {
-    return camera_aim_each(panoramic, camera, through, n, rays);
+    return camera_aim_along(panoramic, camera, through, n, rays);
 }
 
 static unsigned aim_spherical(const pov_camera *camera, const raygen_screen *through, uint32_t n, pov_ray *rays)
 {
-    return camera_aim_each(spherical, camera, through, n, rays);
+    return camera_aim_along(spherical, camera, through, n, rays);
 }
 
 /* ---- where normals are looked up ---- */
