@@ -58,6 +58,28 @@ static void a_skew_dome_is_black_alike_on_both_sides(void **state)
     free(picture);
 }
 
+typedef struct round_picture { const char *camera; int lit; } round_picture;
+
+/* As many pixels see something as in POV-Ray's pictures: the rest is beyond the disc, or below the dome's edge. */
+static void round_pictures_are_black_where_povray_s_are(void **state)
+{
+    static const round_picture rows[] = { { "fisheye right x up y", 1264 }, { "omnimax right x up y", 964 } };
+
+    (void)state;
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
+        char text[256];
+        float *picture;
+        int lit = 0;
+
+        snprintf(text, sizeof text, "#version 3.7; global_settings { assumed_gamma 1 } background { rgb 1 } camera { %s }", rows[i].camera);
+        picture = scenes_draw(text, 40, 40, 1, 1);
+        for (int k = 0; k < 40 * 40; k++)
+            lit += picture[4 * k] > 0.0f;
+        assert_int_equal(lit, rows[i].lit);
+        free(picture);
+    }
+}
+
 #define BENT "angle 100 right x*1.2 up y*.9 normal { waves .3 }"
 
 static void normals_are_looked_up_by_the_camera_s_own_angles(void **state)
@@ -85,6 +107,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(frames_that_are_mirrored_or_skew),
         cmocka_unit_test(a_skew_dome_is_black_alike_on_both_sides),
+        cmocka_unit_test(round_pictures_are_black_where_povray_s_are),
         cmocka_unit_test(normals_are_looked_up_by_the_camera_s_own_angles),
     };
 
