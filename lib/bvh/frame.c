@@ -24,8 +24,8 @@ pov_box bvh_box_around(const bvh_input *in, const bvh_ref *refs, uint32_t begin,
     in->box(in->box_user, refs[begin].id, &all);
     for (i = begin + 1; i < end; i++) {
         in->box(in->box_user, refs[i].id, &b);
-        all.lo = pov_vec3_of(fmin(all.lo.x, b.lo.x), fmin(all.lo.y, b.lo.y), fmin(all.lo.z, b.lo.z));
-        all.hi = pov_vec3_of(fmax(all.hi.x, b.hi.x), fmax(all.hi.y, b.hi.y), fmax(all.hi.z, b.hi.z));
+        all.lo = pov_vec3_of(pov_min(all.lo.x, b.lo.x), pov_min(all.lo.y, b.lo.y), pov_min(all.lo.z, b.lo.z));
+        all.hi = pov_vec3_of(pov_max(all.hi.x, b.hi.x), pov_max(all.hi.y, b.hi.y), pov_max(all.hi.z, b.hi.z));
     }
     return all;
 }
@@ -34,10 +34,10 @@ pov_box bvh_box_around(const bvh_input *in, const bvh_ref *refs, uint32_t begin,
 static double scale_for(const pov_box *all)
 {
     double half = 0.5 * pov_largest(pov_sub(all->hi, all->lo));
-    double least = fmax(fmax(pov_largest(all->lo), pov_largest(all->hi)) * 0x1p-50, 1e-300);
+    double least = pov_max(pov_max(pov_largest(all->lo), pov_largest(all->hi)) * 0x1p-50, 1e-300);
     int e;
 
-    frexp(fmax(half, least), &e);
+    frexp(pov_max(half, least), &e);
     return ldexp(1.0, -e);
 }
 

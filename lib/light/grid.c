@@ -33,7 +33,7 @@ static void share_out(light_grid *g, const uint32_t *counts, const uint32_t *fir
 /* From the square -1/2..1/2 to the disc of diameter 1: squares become circles. */
 static void round_off(double *u, double *v)
 {
-    const double most = fmax(fabs(*u), fabs(*v)), length = sqrt(*u * *u + *v * *v);
+    const double most = pov_max(fabs(*u), fabs(*v)), length = sqrt(*u * *u + *v * *v);
 
     if (length > 0.0) {
         *u *= most / length;
@@ -102,8 +102,8 @@ static grid_part all_places(const light_grid *g)
         const grid_part p = grid_place(g, k);
 
         for (int axis = 0; axis < 2; axis++) {
-            all.lo[axis] = fmin(all.lo[axis], p.lo[axis]);
-            all.hi[axis] = fmax(all.hi[axis], p.hi[axis]);
+            all.lo[axis] = pov_min(all.lo[axis], p.lo[axis]);
+            all.hi[axis] = pov_max(all.hi[axis], p.hi[axis]);
         }
     }
     return all;

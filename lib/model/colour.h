@@ -19,7 +19,7 @@ static inline float colour_grey(colour a) { return 0.297f * a.r + 0.589f * a.g +
 /* The largest absolute component. */
 static inline float colour_weight(colour a)
 {
-    /* Plain comparisons: fmaxf() would be a call. */
+    /* Plain comparisons: no NaN comes here. */
     float r = fabsf(a.r), g = fabsf(a.g), b = fabsf(a.b);
 
     g = g > b ? g : b;

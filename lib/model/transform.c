@@ -150,7 +150,7 @@ static bool invert(const rows *m, rows *out)
     int i, j, e;
 
     for (i = 0; i < 3; i++) {
-        largest = fmax(fabs(a.at[i][0].hi), fmax(fabs(a.at[i][1].hi), fabs(a.at[i][2].hi)));
+        largest = pov_max(fabs(a.at[i][0].hi), pov_max(fabs(a.at[i][1].hi), fabs(a.at[i][2].hi)));
         if (!(largest > 0.0) || largest > 1e300)
             return false;
         frexp(largest, &e);

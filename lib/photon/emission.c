@@ -85,8 +85,8 @@ static bool cover_box(photon_aim *a, const pov_box *b, pov_vec3 w)
 static void keep_lit(extent *e, double radius)
 {
     for (int k = 0; k < 2; k++) {
-        e->lo[k] = fmax(e->lo[k], -radius);
-        e->hi[k] = fmin(e->hi[k], radius);
+        e->lo[k] = pov_max(e->lo[k], -radius);
+        e->hi[k] = pov_min(e->hi[k], radius);
     }
 }
 
@@ -96,7 +96,7 @@ static bool is_narrow(const light *l) { return l->type == LIGHT_SPOT && l->fallo
 /* The same in the plane across the cone's axis. False: nothing of the box is lit. */
 static bool cover_cone(photon_aim *a, const pov_box *b)
 {
-    const double cosine = a->light->falloff, radius = sqrt(fmax(1.0 - cosine * cosine, 0.0)) / cosine;
+    const double cosine = a->light->falloff, radius = sqrt(pov_max(1.0 - cosine * cosine, 0.0)) / cosine;
     extent e;
     pov_vec3 frame[2];
 

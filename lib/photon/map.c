@@ -7,7 +7,7 @@
 
 static const pov_box empty_box = { { HUGE_VAL, HUGE_VAL, HUGE_VAL }, { -HUGE_VAL, -HUGE_VAL, -HUGE_VAL } };
 
-/* fmin() and fmax() are calls. */
+/* Of numbers that are no NaN. */
 static inline double lesser(double a, double b) { return b < a ? b : a; }
 
 static inline double greater(double a, double b) { return b > a ? b : a; }
@@ -200,7 +200,7 @@ static double radius_of(const photon_map *m, const photon_node *n, nearest *h)
     h->count = 0;
     find_nearest(m, 0, middle, h);
     radius = sqrt(h->square[0]);
-    return fmax(radius, fmax(pov_largest(middle) * 0x1p-40, FLT_MIN));
+    return pov_max(radius, pov_max(pov_largest(middle) * 0x1p-40, FLT_MIN));
 }
 
 /* From the last to the first: children stand behind their parents. */

@@ -145,7 +145,7 @@ bool photon_view_cell(const photon_view *v, pov_vec3 at, pov_vec3 normal, photon
 /* In perspective reach is proportional to distance. */
 bool photon_view_along(const photon_view *v, pov_vec3 from, pov_vec3 dir, photon_cell *out)
 {
-    const double start = distance(v, from), unit = fmax(start, 1.0);
+    const double start = distance(v, from), unit = pov_max(start, 1.0);
 
     if (!cell_at(v, pov_add(from, pov_scale(dir, unit)), dir, out))
         return false;

@@ -23,7 +23,7 @@ void own_space_of(const world *w, uint32_t owner, const pov_ray *ray, own_space 
     out->speed = pov_largest(out->ray.dir);
     out->size = pov_largest(out->ray.org);
     if (out->shape->bounds(ref.instance, &box))
-        out->size += fmax(pov_largest(box.lo), pov_largest(box.hi));
+        out->size += pov_max(pov_largest(box.lo), pov_largest(box.hi));
 }
 
 double own_space_cosine(const own_space *s, const pov_crossing *at)

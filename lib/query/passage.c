@@ -28,7 +28,7 @@ static const double nowhere = 0x1p-200, least = 0x1p-960;
 
 int passage_zero_steps(const world *w, int before, pov_vec3 from, pov_vec3 to)
 {
-    if (!passage_stays(from, to) && !(pov_largest(pov_sub(to, from)) <= fmax(w->extent * nowhere, least)))
+    if (!passage_stays(from, to) && !(pov_largest(pov_sub(to, from)) <= pov_max(w->extent * nowhere, least)))
         return 0;
     return before + 1;
 }

@@ -26,9 +26,9 @@ static bool covers(packet *p, const pov_crossing *at)
         return false;
     own_space_of(p->world, at->owner, p->rays[0], &own);
     reach = same_end * (p->tmax + own.size / own.speed);
-    if (!(gap * fmax(own_space_cosine(&own, at), least_cosine) <= reach))
+    if (!(gap * pov_max(own_space_cosine(&own, at), least_cosine) <= reach))
         return false;
-    p->slack = fmax(p->slack, gap * (1.0 + 0x1p-50));
+    p->slack = pov_max(p->slack, gap * (1.0 + 0x1p-50));
     return true;
 }
 

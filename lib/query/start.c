@@ -24,7 +24,7 @@ static bool is_here(const world *w, const pov_ray *ray, hit *h, double *beyond)
         return false;
     reach = (certified ? same_point : same_point_in_double) * own.size;
     world_surface(w, ray, h);
-    cosine = fmax(fabs(pov_dot(h->normal, pov_unit(ray->dir))), certified ? least_cosine : least_cosine_in_double);
+    cosine = pov_max(fabs(pov_dot(h->normal, pov_unit(ray->dir))), certified ? least_cosine : least_cosine_in_double);
     *beyond = certified ? h->crossing.t : reach / (own.speed * cosine);
     return h->crossing.t * own.speed * cosine <= reach;
 }

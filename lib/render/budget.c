@@ -77,7 +77,7 @@ static bool next_uniform(cells *c, const settings *s, const pov_pass *now)
 
     if (s->target_error > 0.0 && now->est_rmse > 0.0 && n >= (uint32_t)budget_least(c)) {
         double ratio = now->est_rmse / (aim * estimate_asked(s, now));
-        double needed = fmax(n * ratio * ratio, n + 2.0);
+        double needed = pov_max(n * ratio * ratio, n + 2.0);
 
         if (needed < next)
             next = even_above(needed);
@@ -158,10 +158,10 @@ static void foresee(const cells *c, size_t number, double worth, double threshol
 static goal goal_of(const cells *c, const settings *s, const pov_pass *now)
 {
     const double growth = c->singles ? 2.0 : 1.5;
-    double mean = fmin(growth * now->spp_mean, s->samples), error = aim * estimate_asked(s, now);
-    double fewest = fmax(1.0625 * now->spp_mean, budget_least(c));
+    double mean = pov_min(growth * now->spp_mean, s->samples), error = aim * estimate_asked(s, now);
+    double fewest = pov_max(1.0625 * now->spp_mean, budget_least(c));
 
-    return (goal){ mean, fmin(mean, fewest), error * error };
+    return (goal){ mean, pov_min(mean, fewest), error * error };
 }
 
 /* Groups whose counts depend on the threshold, as far as it is known, and what all others make. */
@@ -201,7 +201,7 @@ static double find_threshold(const cells *c, const double *worths, const goal *g
 
     for (size_t i = 0; i < f.count; i++) {
         open[i] = (double)i;
-        f.high = fmax(f.high, worths[i]);
+        f.high = pov_max(f.high, worths[i]);
     }
     for (int i = 0; i < HALVINGS && f.count > 0; i++) {
         /* Benefits span many decades: bisect by the geometric mean, once there is one. */

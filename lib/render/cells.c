@@ -135,7 +135,7 @@ double cells_contrast(const showing *g, size_t pixels)
 
     for (int i = 0; i < 3; i++)
         mean_square += g->light[i] * g->light[i] / (3.0 * n * n);
-    return fmax(g->light_square / n - mean_square, 0.0);
+    return pov_max(g->light_square / n - mean_square, 0.0);
 }
 
 /* ---- a tile's part ---- */
@@ -210,7 +210,7 @@ static void hold_against(const cells *c, showing *into, int x, int y, const floa
         double off = (double)(c->reference_clipped ? within(rgba[i]) : rgba[i]) - (double)truth[i];
 
         square += off * off;
-        into->off_max = fmax(into->off_max, fabs(off));
+        into->off_max = pov_max(into->off_max, fabs(off));
     }
     into->off_square += square / 3.0;
 }
@@ -352,7 +352,7 @@ static void find_mean(const cells *c, const double *halves, const share *n, floa
 }
 
 /* The least square that is not zero, so that a pixel whose halves differ is known to do so. */
-static float narrowed(double square) { return square > 0.0 ? fmaxf((float)square, FLT_MIN) : 0.0f; }
+static float narrowed(double square) { return square > 0.0 ? pov_maxf((float)square, FLT_MIN) : 0.0f; }
 
 /* A group whose count has grown is measured again from its halves. */
 void cells_measure(const cells *c, pov_rect tile, const encoding *e, refinement *of, float *pixels)

@@ -27,7 +27,7 @@ static void fill_tables(encoder *e)
         e->above[i] = (float)encoded_inverse(e, (i + 0.5) / 255.0);
     }
     for (int i = 0; i < ENCODER_CELLS; code++) {   /* cells below the next threshold; the product is exact */
-        const int end = code < 255 ? (int)ceilf(fminf(e->above[code], 1.0f) * ENCODER_CELLS) : ENCODER_CELLS;
+        const int end = code < 255 ? (int)ceilf(pov_minf(e->above[code], 1.0f) * ENCODER_CELLS) : ENCODER_CELLS;
 
         if (end > i)
             memset(e->least + i, code, (size_t)(end - i));

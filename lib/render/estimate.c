@@ -52,7 +52,7 @@ typedef struct sums { double square, fourth, off, samples, fewest; bool known, w
 static void band_of_nothing(pov_pass *row, double fewest)
 {
     row->est_ci95_lo = 0.0;
-    row->est_ci95_hi = fmin(3.0 / fewest, 1.0);
+    row->est_ci95_hi = pov_min(3.0 / fewest, 1.0);
 }
 
 /* Returns the samples of the group's pixels, of which there are so many. */
@@ -76,7 +76,7 @@ static void add_shown(sums *s, const showing *g, pov_pass *row)
     s->square += g->square;
     s->fourth += g->fourth;
     s->off += g->off_square;
-    row->ref_max = fmax(row->ref_max, g->off_max);
+    row->ref_max = pov_max(row->ref_max, g->off_max);
 }
 
 static void add_cell(sums *s, const cells *c, int column, int line, double limit, double *scratch, pov_pass *row)
@@ -127,5 +127,5 @@ double estimate_asked(const settings *s, const pov_pass *now)
 {
     const double fifth_more = 1.2;
 
-    return now->est_rmse > 0.0 ? s->target_error * fmin(1.0, fifth_more * now->est_rmse / now->est_ci95_hi) : s->target_error;
+    return now->est_rmse > 0.0 ? s->target_error * pov_min(1.0, fifth_more * now->est_rmse / now->est_ci95_hi) : s->target_error;
 }

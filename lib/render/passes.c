@@ -325,7 +325,7 @@ static double time_of_error(const pov_job *job)
     if (!first)
         return -1.0;
     return last->wall_s * pow(estimate_asked(&job->settings, last) / last->est_rmse,
-                              1.0 / fmin(most_slope, fmax(least_slope, log(last->est_rmse / first->est_rmse) /
+                              1.0 / pov_min(most_slope, pov_max(least_slope, log(last->est_rmse / first->est_rmse) /
                                                                            log(last->wall_s / first->wall_s))));
 }
 
@@ -365,10 +365,10 @@ double passes_left(const pov_job *job)
         return job->done_pixels > 0 ? now / fraction_of_part(job) - now : -1.0;
     until = s->target_error > 0.0 ? time_of_error(job) : time_of_samples(job, now);
     if (s->target_error > 0.0 && until >= 0.0)
-        until = fmin(until, fmax(time_of_samples(job, now), now));
+        until = pov_min(until, pov_max(time_of_samples(job, now), now));
     if (s->time_limit > 0.0 && (until >= 0.0 || !(s->target_error > 0.0)))
-        until = until < 0.0 ? job->earlier + s->time_limit : fmin(until, job->earlier + s->time_limit);
-    return until < 0.0 ? -1.0 : fmax(until - now, 0.0);
+        until = until < 0.0 ? job->earlier + s->time_limit : pov_min(until, job->earlier + s->time_limit);
+    return until < 0.0 ? -1.0 : pov_max(until - now, 0.0);
 }
 
 double passes_fraction(const pov_job *job)
@@ -384,8 +384,8 @@ double passes_fraction(const pov_job *job)
     if (job->state == POV_JOB_DONE && (job->rows.count > 0 || job->stop != POV_STOP_TIME) && job->done_pixels >= job->all_pixels)
         return 1.0;
     if (job->state != POV_JOB_RUNNING || passes_left(job) < 0.0)
-        return fmin(done, most);
+        return pov_min(done, most);
     now = clock_seconds() - job->started;
     left = passes_left(job);
-    return now + left > 0.0 ? fmin(now / (now + left), most) : 0.0;
+    return now + left > 0.0 ? pov_min(now / (now + left), most) : 0.0;
 }

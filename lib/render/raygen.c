@@ -99,8 +99,8 @@ void raygen_apart(const pov_camera *camera, int width, int height, double *start
         starts[i] = length_of(pov_sub(rays[i + 1].org, rays[0].org));
         slopes[i] = length_of(pov_sub(pov_unit(rays[i + 1].dir), pov_unit(rays[0].dir)));
     }
-    *start = fmin(starts[0], starts[1]);
-    *slope = fmin(slopes[0], slopes[1]);
+    *start = pov_min(starts[0], starts[1]);
+    *slope = pov_min(slopes[0], slopes[1]);
     if (camera->type == POV_CAMERA_MESH || !isfinite(*start + *slope))
         *start = *slope = 0.0;
 }

@@ -8,7 +8,7 @@
 pov_job_state job_wait(pov_job *job, double seconds)
 {
     const double for_ever = 1e9;
-    double until = clock_seconds() + fmin(fmax(seconds, 0.0), for_ever);
+    double until = clock_seconds() + pov_min(pov_max(seconds, 0.0), for_ever);
     pov_job_state state;
 
     mutex_lock(&job->lock);
@@ -16,7 +16,7 @@ pov_job_state job_wait(pov_job *job, double seconds)
     while (job->state == POV_JOB_RUNNING && !job->news) {
         double end = job->settings.time_limit > 0.0 ? job->started + job->settings.time_limit : until;
 
-        if (!condition_wait_until(&job->changed, &job->lock, fmin(until, end)) && !passes_expire(job) &&
+        if (!condition_wait_until(&job->changed, &job->lock, pov_min(until, end)) && !passes_expire(job) &&
             clock_seconds() >= until)
             break;
     }

@@ -107,8 +107,8 @@ static pov_vec3 extent_of(const pov_box *box, bool is_most)
 {
     const pov_vec3 v = is_most ? box->hi : box->lo, w = is_most ? box->lo : box->hi;
 
-    return pov_vec3_of(without_roundings(v.x, fmax(fabs(v.x), fabs(w.x))), without_roundings(v.y, fmax(fabs(v.y), fabs(w.y))),
-                       without_roundings(v.z, fmax(fabs(v.z), fabs(w.z))));
+    return pov_vec3_of(without_roundings(v.x, pov_max(fabs(v.x), fabs(w.x))), without_roundings(v.y, pov_max(fabs(v.y), fabs(w.y))),
+                       without_roundings(v.z, pov_max(fabs(v.z), fabs(w.z))));
 }
 
 static void read_extent(pov_reader *in, const intrinsic *row, value *out)

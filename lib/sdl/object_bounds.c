@@ -11,8 +11,8 @@ static void enclose(pov_box *box, pov_vec3 p, bool is_first)
         box->lo = box->hi = p;
         return;
     }
-    box->lo = pov_vec3_of(fmin(box->lo.x, p.x), fmin(box->lo.y, p.y), fmin(box->lo.z, p.z));
-    box->hi = pov_vec3_of(fmax(box->hi.x, p.x), fmax(box->hi.y, p.y), fmax(box->hi.z, p.z));
+    box->lo = pov_vec3_of(pov_min(box->lo.x, p.x), pov_min(box->lo.y, p.y), pov_min(box->lo.z, p.z));
+    box->hi = pov_vec3_of(pov_max(box->hi.x, p.x), pov_max(box->hi.y, p.y), pov_max(box->hi.z, p.z));
 }
 
 static pov_box map_box(const pov_affine *map, const pov_box *box)
@@ -28,8 +28,8 @@ static pov_box map_box(const pov_affine *map, const pov_box *box)
 
 static void clip(pov_box *box, const pov_box *by)
 {
-    box->lo = pov_vec3_of(fmax(box->lo.x, by->lo.x), fmax(box->lo.y, by->lo.y), fmax(box->lo.z, by->lo.z));
-    box->hi = pov_vec3_of(fmin(box->hi.x, by->hi.x), fmin(box->hi.y, by->hi.y), fmin(box->hi.z, by->hi.z));
+    box->lo = pov_vec3_of(pov_max(box->lo.x, by->lo.x), pov_max(box->lo.y, by->lo.y), pov_max(box->lo.z, by->lo.z));
+    box->hi = pov_vec3_of(pov_min(box->hi.x, by->hi.x), pov_min(box->hi.y, by->hi.y), pov_min(box->hi.z, by->hi.z));
 }
 
 /* The shape takes in as many of its transformations as it can; the last `left` of them are still to move its box. */
@@ -205,9 +205,9 @@ static pov_box box_around(const pov_affine *map, bool inverse, const pov_box *bo
 
         least[i] = most[i] = row[3];
         for (int j = 0; j < 3; j++) {
-            least[i] += fmin(row[j] * lo[j], row[j] * hi[j]);
-            most[i] += fmax(row[j] * lo[j], row[j] * hi[j]);
-            size += fmax(fabs(row[j] * lo[j]), fabs(row[j] * hi[j]));
+            least[i] += pov_min(row[j] * lo[j], row[j] * hi[j]);
+            most[i] += pov_max(row[j] * lo[j], row[j] * hi[j]);
+            size += pov_max(fabs(row[j] * lo[j]), fabs(row[j] * hi[j]));
         }
         least[i] -= 0x1p-45 * size;
         most[i] += 0x1p-45 * size;

@@ -224,7 +224,7 @@ static bool is_surface(pov_reader *in, const object_parsed *o, const object_pars
 }
 
 /* A crossing may lie a little behind its distance as a double: it is not met again. */
-static double behind(double t) { return t + fmax(DBL_EPSILON * fabs(t), DBL_MIN); }
+static double behind(double t) { return t + pov_max(DBL_EPSILON * fabs(t), DBL_MIN); }
 
 static bool trace_member(pov_reader *in, const object_parsed *o, const object_parsed *member, search ask, bool turned,
                          crossing *best)

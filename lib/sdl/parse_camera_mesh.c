@@ -107,8 +107,8 @@ typedef struct span { uint32_t first, last; } span;
 
 static span rows_of(const camera_atlas *a, const camera_uv_face *f)
 {
-    const double lo = fmin(f->uv[0][1], fmin(f->uv[1][1], f->uv[2][1]));
-    const double hi = fmax(f->uv[0][1], fmax(f->uv[1][1], f->uv[2][1]));
+    const double lo = pov_min(f->uv[0][1], pov_min(f->uv[1][1], f->uv[2][1]));
+    const double hi = pov_max(f->uv[0][1], pov_max(f->uv[1][1], f->uv[2][1]));
 
     return (span){ camera_atlas_row(a, lo), camera_atlas_row(a, hi) };
 }

@@ -21,7 +21,7 @@ static void read_albedo(pov_reader *in, surface_parsed *s, unsigned bit)
 }
 
 /* What is below 0 is left out. */
-static float read_strength(pov_reader *in) { return fmaxf(value_float(in), 0.0f); }
+static float read_strength(pov_reader *in) { return pov_maxf(value_float(in), 0.0f); }
 
 static void read_diffuse(pov_reader *in, surface_parsed *s, finish *f)
 {
@@ -79,7 +79,7 @@ void parse_finish_item(pov_reader *in, void *self, keyword_id keyword)
     case KEYWORD_PHONG_SIZE: f->phong_size = read_size(in); break;
     case KEYWORD_SPECULAR: read_specular(in, s, f); break;
     case KEYWORD_ROUGHNESS: f->roughness = read_roughness(in); break;
-    case KEYWORD_METALLIC: f->metallic = fmaxf(read_amount(in), 0.0f); break;
+    case KEYWORD_METALLIC: f->metallic = pov_maxf(read_amount(in), 0.0f); break;
     case KEYWORD_CRAND: f->crand = read_strength(in); break;
     case KEYWORD_CONSERVE_ENERGY: f->conserve_energy = read_amount(in) != 0.0f; break;
     default: f->reflection.exponent = value_float(in); break;

@@ -70,7 +70,7 @@ static double arc_share(const rainbow *r, pov_vec3 dir)
  * the bow is there. */
 static bool rainbow_veil(const rainbow *r, const segment *s, veil *out)
 {
-    const double angle = elementary_acos(fmin(1.0, fmax(-1.0, pov_dot(s->dir, r->direction)))) / degree;
+    const double angle = elementary_acos(pov_min(1.0, pov_max(-1.0, pov_dot(s->dir, r->direction)))) / degree;
     const double at = (angle - r->angle + 0.5 * r->width) / r->width;
     double share, passed;
     float weight, filter;
@@ -83,7 +83,7 @@ static bool rainbow_veil(const rainbow *r, const segment *s, veil *out)
         return false;
     passed = elementary_exp(-s->length / r->distance);
     c = map_colour(r, at);
-    weight = (float)fmin(1.0 - passed, (1.0 - (double)c.transmit) * share);
+    weight = (float)pov_min(1.0 - passed, (1.0 - (double)c.transmit) * share);
     filter = c.filter * weight;
     out->by = colour_add(colour_of(1.0f - filter, 1.0f - filter, 1.0f - filter), colour_scale(c.color, filter));
     out->by = colour_scale(out->by, 1.0f - weight);

@@ -11,7 +11,7 @@ static colour sum_of(const texture_term *terms, uint32_t count)
     for (uint32_t i = 0; i < count; i++) {
         const texture_term *t = &terms[i];
         const bool is_last = i + 1 == count || terms[i + 1].first;
-        const float seen = fminf(fmaxf(1.0f - t->pigment.filter - t->pigment.transmit, 0.0f), 1.0f);
+        const float seen = pov_minf(pov_maxf(1.0f - t->pigment.filter - t->pigment.transmit, 0.0f), 1.0f);
 
         left = t->first ? 1.0f : left;
         sum = colour_add(sum, colour_scale(t->pigment.color, t->share * left * (is_last ? 1.0f : seen)));

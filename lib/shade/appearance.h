@@ -59,10 +59,7 @@ typedef struct appearance_light { float opacity; colour emitted, filter; } appea
 /* What filter takes of the opacity of a pigment of this colour. */
 static inline float appearance_covered(const model *m, colour c, float filter)
 {
-    /* As fmaxf(), which would be a call. */
-    const float blue = c.g > c.b || c.b != c.b ? c.g : c.b, most = c.r > blue || blue != blue ? c.r : blue;
-
-    return m->opacity_uses_filter_colour ? filter * most : filter;
+    return m->opacity_uses_filter_colour ? filter * pov_maxf(c.r, pov_maxf(c.g, c.b)) : filter;
 }
 void appearance_light_of(appearance_light *out, const model *m, const finish *f, const pigment *at);
 /* Do rays go through this pigment? */

@@ -22,7 +22,7 @@ static double largest_of(const double s[6])
     double most = 0.0;
 
     for (int i = 0; i < 6; i++)
-        most = fmax(most, fabs(s[i]));
+        most = pov_max(most, fabs(s[i]));
     return most;
 }
 
@@ -330,8 +330,8 @@ static void bound(const double number[3], const grid_part *p, double out[2])
     for (int axis = 0; axis < 2; axis++) {
         const double a = number[1 + axis] * p->lo[axis], b = number[1 + axis] * p->hi[axis];
 
-        out[0] += fmin(a, b);
-        out[1] += fmax(a, b);
+        out[0] += pov_min(a, b);
+        out[1] += pov_max(a, b);
     }
 }
 
@@ -342,7 +342,7 @@ static double latest(const area_cover *c, const grid_part *p)
 
     for (uint32_t i = 0; i < c->slabs; i++) {
         bound(c->rate[i], p, rate);
-        last = rate[0] > 0.0 ? fmin(last, c->wide_hi[i] / rate[0]) : rate[1] < 0.0 ? fmin(last, c->wide_lo[i] / rate[1]) : last;
+        last = rate[0] > 0.0 ? pov_min(last, c->wide_hi[i] / rate[0]) : rate[1] < 0.0 ? pov_min(last, c->wide_lo[i] / rate[1]) : last;
     }
     return last;
 }
@@ -352,7 +352,7 @@ static double latest(const area_cover *c, const grid_part *p)
 static double earliest(const area_cover *c, const grid_part *p)
 {
     const double *s = c->square;
-    const double most_u = fmax(fabs(p->lo[0]), fabs(p->hi[0])), most_v = fmax(fabs(p->lo[1]), fabs(p->hi[1]));
+    const double most_u = pov_max(fabs(p->lo[0]), fabs(p->hi[0])), most_v = pov_max(fabs(p->lo[1]), fabs(p->hi[1]));
     const double more = fabs(s[1]) * most_u + fabs(s[2]) * most_v + fabs(s[3]) * most_u * most_u + fabs(s[4]) * most_v * most_v + fabs(s[5]) * most_u * most_v;
     const double square = s[0] + more + roundings * (fabs(s[0]) + more);
     double first = HUGE_VAL, rate[2], along[2];
@@ -360,14 +360,14 @@ static double earliest(const area_cover *c, const grid_part *p)
     for (uint32_t i = 0; i < c->slabs; i++) {
         bound(c->rate[i], p, rate);
         if (rate[1] > 0.0)
-            first = fmin(first, c->hi[i] / rate[1]);
+            first = pov_min(first, c->hi[i] / rate[1]);
         if (rate[0] < 0.0)
-            first = fmin(first, c->lo[i] / rate[0]);
+            first = pov_min(first, c->lo[i] / rate[0]);
     }
     bound(c->along, p, along);
     if (!(along[1] < 0.0 && square > 0.0 && c->constant * square < (1.0 - end) * along[1] * along[1]))
         return 0.0;
-    return fmin(first, -2.0 * end * along[1] / square);
+    return pov_min(first, -2.0 * end * along[1] / square);
 }
 
 bool area_cover_holds(const area_cover *c, const area_cover *other, const grid_part *part)

@@ -117,7 +117,7 @@ static bool project_sphere(const plane *p, const pov_box *b, grid_part *out)
 static void cut_axis(double height, const double rise[2], int axis, const grid_part *all, grid_part *out)
 {
     const int other = 1 - axis;
-    const double least = height + fmin(rise[other] * all->lo[other], rise[other] * all->hi[other]), at = -least / rise[axis];
+    const double least = height + pov_min(rise[other] * all->lo[other], rise[other] * all->hi[other]), at = -least / rise[axis];
 
     out->lo[axis] = rise[axis] < 0.0 ? at : -HUGE_VAL;
     out->hi[axis] = rise[axis] > 0.0 ? at : HUGE_VAL;

@@ -285,7 +285,7 @@ static void draw_alike(const shade_context *c, batch *b, uint32_t from, uint32_t
     while (draws < most && draws * (to - from) < 2 * most)
         draws *= 2;
     for (uint32_t i = from; i < to; i++)
-        weight = fmaxf(weight, b->paths[i].factor.weight);
+        weight = pov_maxf(weight, b->paths[i].factor.weight);
     for (uint32_t i = from; i < to; i++) {
         b->gather->draws[i] = (uint8_t)draws;
         b->paths[i].factor.weight = weight;

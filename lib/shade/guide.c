@@ -103,7 +103,7 @@ static double density_of(const guide_view *v, pov_vec3 point, pov_vec3 dir)
             enters = near;
             face = a;
         }
-        leaves = fmin(leaves, far);
+        leaves = pov_min(leaves, far);
     }
     return face >= 0 && enters <= leaves ? enters * enters / (v->whole * fabs(at(dir, face))) : 0.0;
 }
@@ -127,7 +127,7 @@ static pov_vec3 aim(const guide_view *v, pov_vec3 point, double x, double y)
         left -= v->area[face++];
     b = (face + 1) % 3;
     c = (face + 2) % 3;
-    left = v->area[face] > 0.0 ? fmin(left / v->area[face], 1.0) : 0.5;
+    left = v->area[face] > 0.0 ? pov_min(left / v->area[face], 1.0) : 0.5;
     to[face] = v->side[face] - at(point, face);
     to[b] = at(v->box->lo, b) + left * (at(v->box->hi, b) - at(v->box->lo, b)) - at(point, b);
     to[c] = at(v->box->lo, c) + y * (at(v->box->hi, c) - at(v->box->lo, c)) - at(point, c);
@@ -141,7 +141,7 @@ static pov_vec3 draw_lamp(const guide_views *all, pov_vec3 point, double x, doub
     while (i + 1 < all->count && !rest_of(&x, all->of[i].share))
         i++;
     if (i + 1 == all->count && i > 0)
-        x = fmin(x / all->of[i].share, 1.0);
+        x = pov_min(x / all->of[i].share, 1.0);
     return aim(&all->of[i], point, x, y);
 }
 

@@ -415,7 +415,7 @@ static void veil(shade_context *c, const path *p, const media_set *set, const me
     march.on = *on;
     march.random = random_of(c, p, set->of[0].leaf == MEDIA_AIR);
     march.scale = c->scene->scale;
-    march.weight = fmin(1.0, (double)colour_weight(p->factor.by));
+    march.weight = pov_min(1.0, (double)colour_weight(p->factor.by));
     media_march_begin(&march);
     if (set->scatters && c->scene->plan->scattering)
         march.given = colour_add(march.given, gather(c, p, &march));

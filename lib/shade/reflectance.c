@@ -129,7 +129,7 @@ static void put_constants(reflectances *m, uint32_t i, const appearance *a)
     m->falloff[i] = colour_equal(r->min, r->max) ? 1.0 : (double)r->falloff;
     m->fresnel[i] = a->fresnel;
     m->ratio[i] = 1.0;
-    m->most[i] = fmaxf(colour_weight(r->min), colour_weight(r->max));   /* at any angle, as in POV-Ray */
+    m->most[i] = pov_maxf(colour_weight(r->min), colour_weight(r->max));   /* at any angle, as in POV-Ray */
     m->metallic[i] = r->metallic;
     put_colour(m->min, i, r->min);
     put_colour(m->max, i, r->max);

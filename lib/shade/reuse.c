@@ -164,11 +164,11 @@ static void extend(rectangle *r, pov_vec3 point)
     const pov_vec3 d = pov_sub(point, r->at);
     const double a = pov_dot(d, r->u), b = pov_dot(d, r->v);
 
-    r->lo[0] = fmin(r->lo[0], a);
-    r->hi[0] = fmax(r->hi[0], a);
-    r->lo[1] = fmin(r->lo[1], b);
-    r->hi[1] = fmax(r->hi[1], b);
-    r->off = fmax(r->off, fabs(pov_dot(d, r->normal)));
+    r->lo[0] = pov_min(r->lo[0], a);
+    r->hi[0] = pov_max(r->hi[0], a);
+    r->lo[1] = pov_min(r->lo[1], b);
+    r->hi[1] = pov_max(r->hi[1], b);
+    r->off = pov_max(r->off, fabs(pov_dot(d, r->normal)));
 }
 
 /* False: the points do not lie on a plane. */
@@ -267,8 +267,8 @@ static bool make_sky_shaft(const world *scene, const flat *f, const weights *w, 
     pov_box box;
 
     if (world_bounds(scene, &box))
-        far = pov_vec3_of(fmax(fabs(box.lo.x - middle.x), fabs(box.hi.x - middle.x)), fmax(fabs(box.lo.y - middle.y), fabs(box.hi.y - middle.y)),
-                          fmax(fabs(box.lo.z - middle.z), fabs(box.hi.z - middle.z)));
+        far = pov_vec3_of(pov_max(fabs(box.lo.x - middle.x), fabs(box.hi.x - middle.x)), pov_max(fabs(box.lo.y - middle.y), fabs(box.hi.y - middle.y)),
+                          pov_max(fabs(box.lo.z - middle.z), fabs(box.hi.z - middle.z)));
     apex = pov_add(middle, pov_scale(w->at, longer * (sqrt(pov_dot(far, far)) + sqrt(pov_dot(half, half)))));
     for (int i = 0; i < 4; i++)
         corner[i] = pov_sub(pov_add(middle, pov_scale(pov_sub(f->corner[i], middle), wider)), apex);

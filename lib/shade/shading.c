@@ -213,9 +213,9 @@ static double find_scale(const model *m, const world *w)
 
     if (!world_bounds(w, &box))
         return 1.0;
-    far = pov_vec3_of(fmax(fabs(box.lo.x - m->camera.location.x), fabs(box.hi.x - m->camera.location.x)),
-                      fmax(fabs(box.lo.y - m->camera.location.y), fabs(box.hi.y - m->camera.location.y)),
-                      fmax(fabs(box.lo.z - m->camera.location.z), fabs(box.hi.z - m->camera.location.z)));
+    far = pov_vec3_of(pov_max(fabs(box.lo.x - m->camera.location.x), fabs(box.hi.x - m->camera.location.x)),
+                      pov_max(fabs(box.lo.y - m->camera.location.y), fabs(box.hi.y - m->camera.location.y)),
+                      pov_max(fabs(box.lo.z - m->camera.location.z), fabs(box.hi.z - m->camera.location.z)));
     return sqrt(pov_dot(far, far));
 }
 

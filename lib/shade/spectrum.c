@@ -1,5 +1,7 @@
 #include "shade/spectrum.h"
 
+#include <povtrace/math.h>
+
 /* Density of white light in equal parts of the spectrum from red to violet, as POV-Ray has it. */
 enum { CELLS = 70 };
 static const colour cells[CELLS] = {
@@ -27,7 +29,7 @@ colour spectrum_of(int i, int n)
     colour sum = colour_of(0.0f, 0.0f, 0.0f);
 
     for (int k = (int)first; k < CELLS && (float)k < last; k++) {
-        const float share = fminf((float)(k + 1), last) - fmaxf((float)k, first);
+        const float share = pov_minf((float)(k + 1), last) - pov_maxf((float)k, first);
 
         sum = colour_add(sum, colour_scale(cells[k], share / (float)CELLS));
     }

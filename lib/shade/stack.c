@@ -18,7 +18,7 @@ static coefficient share_of(colour c, float share)
     return out;
 }
 
-/* As fminf(), which would be a call. */
+/* A plain comparison: no NaN comes here. */
 static inline float at_most_one(float x) { return x < 1.0f ? x : 1.0f; }
 
 /* What a layer reflects is not filtered by those above it, but they count in its weight as far as they take light, as POV-Ray

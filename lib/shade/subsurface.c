@@ -46,7 +46,7 @@ double subsurface_albedo(double reflected)
 /* scatters: the mean way to a place where light is scattered, if none is absorbed on it. */
 static channel channel_of(double scatters, double reflected)
 {
-    const double albedo = subsurface_albedo(reflected), length = scatters * fmax(albedo, 0x1p-10), fades = sqrt(3.0 * (1.0 - albedo)) / length;
+    const double albedo = subsurface_albedo(reflected), length = scatters * pov_max(albedo, 0x1p-10), fades = sqrt(3.0 * (1.0 - albedo)) / length;
     const double image = length * image_height, real_left = elementary_exp(-fades * length);
     const double image_left = elementary_exp(-fades * image);
     const channel out = { { length, image }, fades, albedo, { 0.5 / (pi * real_left), 0.5 / (pi * image_left) },
@@ -56,7 +56,7 @@ static channel channel_of(double scatters, double reflected)
 }
 
 /* Light goes no way at all in a channel that is not translucent: a thousandth of the others counts as none. */
-static double path_of(float translucency, double scale) { return fmax((double)translucency, 0x1p-10) * scale; }
+static double path_of(float translucency, double scale) { return pov_max((double)translucency, 0x1p-10) * scale; }
 
 double subsurface_ior(const shading *scene, const surface *s)
 {
@@ -159,8 +159,8 @@ static double draw_radius(const below *m, double rest)
     double lo = 0.0, hi = m->of[0].height[1] / rest, r;
 
     for (int c = 1; c < 3; c++)
-        hi = fmax(hi, m->of[c].height[1] / rest);
-    r = fmin(hi, m->of[0].height[0]);
+        hi = pov_max(hi, m->of[c].height[1] / rest);
+    r = pov_min(hi, m->of[0].height[0]);
     for (int i = 0; i < 40; i++) {
         const double is = beyond_disc(m, r * r), slope = 2.0 * pi * r * disc_density(m, r * r);
         double next;
@@ -185,7 +185,7 @@ static double density(const search *s, pov_vec3 to, pov_vec3 normal)
     for (int k = 0; k < AXES; k++) {
         const double along = pov_dot(to, s->axes[k]);
 
-        sum += probes_of[k] * disc_density(&s->in, fmax(pov_dot(to, to) - along * along, 0.0)) *
+        sum += probes_of[k] * disc_density(&s->in, pov_max(pov_dot(to, to) - along * along, 0.0)) *
                fabs(pov_dot(normal, s->axes[k]));
     }
     return sum;
@@ -198,7 +198,7 @@ static double entering(double ior, double cosine) { return 1.0 - reflectance_fre
 /* The cosine behind the surface. */
 static double cosine_below(double ior, double cosine)
 {
-    return sqrt(fmax(1.0 - (1.0 - cosine * cosine) / (ior * ior), 0.0));
+    return sqrt(pov_max(1.0 - (1.0 - cosine * cosine) / (ior * ior), 0.0));
 }
 
 /* What light at a point is wanted for: all that enters; or, where `out` is not 0, the share of it that is scattered once
@@ -293,7 +293,7 @@ static const double before = 64.0;
 
 static void probe(search *s, int k, sequence_point at)
 {
-    const double r = draw_radius(&s->in, fmax(1.0 - at.x, 0x1p-60)), angle = 2.0 * pi * at.y;
+    const double r = draw_radius(&s->in, pov_max(1.0 - at.x, 0x1p-60)), angle = 2.0 * pi * at.y;
     const int axis = k < 16 ? 0 : k < 24 ? 1 : 2;
     const pov_vec3 a = s->axes[axis], u = s->axes[(axis + 1) % AXES], v = s->axes[(axis + 2) % AXES];
     const pov_vec3 side = pov_add(pov_scale(u, r * elementary_cos(angle)), pov_scale(v, r * elementary_sin(angle)));

@@ -438,7 +438,7 @@ static float heaviest(const block *b)
     float most = 0.0f;
 
     for (uint32_t i = 0; i < b->count; i++)
-        most = fmaxf(most, b->paths[i].factor.weight);
+        most = pov_maxf(most, b->paths[i].factor.weight);
     return most;
 }
 

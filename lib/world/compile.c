@@ -249,7 +249,7 @@ static pov_status try_block(maker *k, const shape_class *shape, const void *inst
     return POV_OK;
 }
 
-/* Boxes hold no NaN, so fmin() and fmax() would only be slow calls. */
+/* Boxes hold no NaN. */
 static double lesser(double a, double b) { return a < b ? a : b; }
 static double greater(double a, double b) { return a > b ? a : b; }
 

@@ -5,14 +5,14 @@
 
 static void join(pov_box *a, const pov_box *b)
 {
-    a->lo = pov_vec3_of(fmin(a->lo.x, b->lo.x), fmin(a->lo.y, b->lo.y), fmin(a->lo.z, b->lo.z));
-    a->hi = pov_vec3_of(fmax(a->hi.x, b->hi.x), fmax(a->hi.y, b->hi.y), fmax(a->hi.z, b->hi.z));
+    a->lo = pov_vec3_of(pov_min(a->lo.x, b->lo.x), pov_min(a->lo.y, b->lo.y), pov_min(a->lo.z, b->lo.z));
+    a->hi = pov_vec3_of(pov_max(a->hi.x, b->hi.x), pov_max(a->hi.y, b->hi.y), pov_max(a->hi.z, b->hi.z));
 }
 
 static void cut(pov_box *a, const pov_box *b)
 {
-    a->lo = pov_vec3_of(fmax(a->lo.x, b->lo.x), fmax(a->lo.y, b->lo.y), fmax(a->lo.z, b->lo.z));
-    a->hi = pov_vec3_of(fmin(a->hi.x, b->hi.x), fmin(a->hi.y, b->hi.y), fmin(a->hi.z, b->hi.z));
+    a->lo = pov_vec3_of(pov_max(a->lo.x, b->lo.x), pov_max(a->lo.y, b->lo.y), pov_max(a->lo.z, b->lo.z));
+    a->hi = pov_vec3_of(pov_min(a->hi.x, b->hi.x), pov_min(a->hi.y, b->hi.y), pov_min(a->hi.z, b->hi.z));
 }
 
 static bool is_empty(const pov_box *b) { return b->lo.x > b->hi.x || b->lo.y > b->hi.y || b->lo.z > b->hi.z; }
@@ -170,13 +170,13 @@ static void find_boxes(csg_tree *t, const extents *x)
         t->members[i].boxed = of[i].boxed;
         t->members[i].box = of[i].box;
         if (of[i].boxed)
-            t->size = fmax(t->size, fmax(pov_largest(of[i].box.lo), pov_largest(of[i].box.hi)));
+            t->size = pov_max(t->size, pov_max(pov_largest(of[i].box.lo), pov_largest(of[i].box.hi)));
     }
     t->boxed = box_of(x, NODE_GROUP, &t->box);
     t->empty = t->boxed && is_empty(&t->box);
     find_shown(t, of);
     if (t->boxed && !t->empty)
-        t->size = fmax(t->size, fmax(pov_largest(t->box.lo), pov_largest(t->box.hi)));
+        t->size = pov_max(t->size, pov_max(pov_largest(t->box.lo), pov_largest(t->box.hi)));
     for (i = 0; t->boxed && i < t->member_count; i++)
         if (t->members[i].boxed) {
             cut(&t->members[i].box, &t->box);

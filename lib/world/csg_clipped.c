@@ -235,7 +235,7 @@ static csg_found narrow_by_outline(clip_search *s, const pov_hits *hits, double 
         return CSG_OPEN;
     *off = CSG_OUTLINE_MARGIN * k.per_unit;
     if (s->w->tree->outline->endless)
-        *off *= k.from + fmax(fabs(k.in[0]), fabs(k.out[0]));
+        *off *= k.from + pov_max(fabs(k.in[0]), fabs(k.out[0]));
     if (!isfinite(*off))
         return CSG_OPEN;
     s->enter = (k.in[0] - k.start) * k.per_unit;
@@ -283,8 +283,8 @@ static pov_hits hits_of_surface(clip_search *s, double from, double to, double o
 
     if (is_brief(s, off, hits)) {
         found.want = POV_WANT_ANY;
-        found.tmax = fmin(s->leave, hits->tmax);
-        found.slack = fmax(off, hits->slack);
+        found.tmax = pov_min(s->leave, hits->tmax);
+        found.slack = pov_max(off, hits->slack);
     }
     return found;
 }
@@ -317,7 +317,7 @@ static bool is_beside_hollows(const clip_search *s, const pov_crossing *at, doub
 static bool is_inside(const clip_search *s, const csg_member *m, const pov_ray *own)
 {
     static const pov_vec3 zero = { 0.0, 0.0, 0.0 };
-    const double t = 0.5 * (fmax(s->enter, 0.0) + s->leave);
+    const double t = 0.5 * (pov_max(s->enter, 0.0) + s->leave);
 
     return m->shape->inside(m->instance, pov_add(own->org, pov_scale(own->dir, t)), zero) != m->inverse;
 }
@@ -441,7 +441,7 @@ bool csg_clipped_first(csg_traversal *w, pov_hits *hits)
         found = narrow_by_outline(&s, hits, &off);
     if (found == CSG_CROSSED && w->tree->clipped.hollows && !w->tree->members[w->tree->clipped.surface].shape->intersect_between)
         return csg_hollows_first(w, s.in, s.out, off, hits);
-    if (found == CSG_NOTHING || (found == CSG_CROSSED && find_between(&s, fmax(s.enter - off, 0.0), s.leave + off, off, hits)))
+    if (found == CSG_NOTHING || (found == CSG_CROSSED && find_between(&s, pov_max(s.enter - off, 0.0), s.leave + off, off, hits)))
         return true;
     if (w->tree->clipped.loose)
         return false;
@@ -535,7 +535,7 @@ uint32_t csg_clipped_many(const csg_tree *t, const pov_ray *const *rays, pov_hit
         if (found != CSG_CROSSED)
             continue;
         crossed |= 1u << i;
-        all.found[i] = hits_of_surface(s, fmax(s->enter - all.off[i], 0.0), s->leave + all.off[i], all.off[i], hits[i]);
+        all.found[i] = hits_of_surface(s, pov_max(s->enter - all.off[i], 0.0), s->leave + all.off[i], all.off[i], hits[i]);
     }
     if (!crossed)
         return open;

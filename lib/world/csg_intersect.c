@@ -178,8 +178,8 @@ static double step_at(const csg_traversal *w, uint32_t first, uint32_t end)
     double step = open_step * size + open_step_least * (pov_largest(w->ray->org) + w->dir * fabs(at[first].t));
 
     step = w->dir > 0.0 ? step / w->dir : 0.0;
-    step = fmin(step, 0.5 * (at[first].t - (first > 0 ? at[first - 1].t : 0.0)));
-    return end < w->found.count ? fmin(step, 0.5 * (at[end].t - at[end - 1].t)) : step;
+    step = pov_min(step, 0.5 * (at[first].t - (first > 0 ? at[first - 1].t : 0.0)));
+    return end < w->found.count ? pov_min(step, 0.5 * (at[end].t - at[end - 1].t)) : step;
 }
 
 /* Enter or leave open members by their inside() at a point of the ray: a ray may enter them without a crossing. */
@@ -249,7 +249,7 @@ static bool pass_point(csg_traversal *w, pov_hits *hits)
 /* False: doubles were not sufficient. Crossings reported so far are right. */
 static bool traverse_once(csg_traversal *w, pov_hits *hits, bool exact)
 {
-    const double last = fmin(hits->tmax + hits->slack, w->leave);
+    const double last = pov_min(hits->tmax + hits->slack, w->leave);
     bool enough = true;
 
     csg_traversal_begin(w, hits, exact);

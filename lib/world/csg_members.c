@@ -137,9 +137,9 @@ static void narrow_by(const csg_traversal *w, const csg_cut *cut, double *enter,
     const cut_crossing at = cross(w, &cut->within);
 
     if (at.slope < 0.0)
-        *enter = fmax(*enter, at.t - at.off);
+        *enter = pov_max(*enter, at.t - at.off);
     else if (at.slope > 0.0)
-        *leave = fmin(*leave, at.t + at.off);
+        *leave = pov_min(*leave, at.t + at.off);
 }
 
 /* May the ray be within all of them between these distances? */
@@ -301,7 +301,7 @@ static bool ends_inside(const csg_traversal *w, const csg_member *m, uint32_t fi
     double t = w->dir > 0.0 ? w->size / w->dir : 1.0;
 
     for (uint32_t i = first; i < w->found.count; i++)
-        t = fmax(t, w->found.at[i].t);
+        t = pov_max(t, w->found.at[i].t);
     return csg_member_holds(w, m, 2.0 * t);
 }
 
@@ -503,7 +503,7 @@ bool csg_traversal_hits_box(csg_traversal *w)
 
 bool csg_traversal_enters(csg_traversal *w, const pov_hits *hits)
 {
-    return csg_traversal_hits_box(w) && (!w->tree->boxed || hits_cuts(w, w->enter, fmin(w->leave, hits->tmax)));
+    return csg_traversal_hits_box(w) && (!w->tree->boxed || hits_cuts(w, w->enter, pov_min(w->leave, hits->tmax)));
 }
 
 void csg_traversal_begin(csg_traversal *w, const pov_hits *hits, bool exact)
@@ -525,9 +525,9 @@ void csg_traversal_begin(csg_traversal *w, const pov_hits *hits, bool exact)
     w->unsure = w->missed = w->grazes = false;
     memcpy(s->states, t->outside, t->node_count * sizeof *s->states);
     /* Others may miss the tree, and need not ask whether points are inside. */
-    test_endless(w, false, fmin(w->leave, hits->tmax + hits->slack));
+    test_endless(w, false, pov_min(w->leave, hits->tmax + hits->slack));
     if (t->open_count > 0)
-        test_endless(w, true, fmin(w->leave, hits->tmax + hits->slack));
+        test_endless(w, true, pov_min(w->leave, hits->tmax + hits->slack));
     if (w->missed)
         return;
     test_cuts(w);

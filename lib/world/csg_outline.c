@@ -245,8 +245,8 @@ static csg_found find(const csg_tree *t, const csg_intervals *of, double most, c
     csg_found found;
 
     for (uint32_t left = t->chords.within; left; left &= left - 1) {
-        enter = fmax(enter, of->in[first_of(left)]);
-        leave = fmin(leave, of->out[first_of(left)]);
+        enter = pov_max(enter, of->in[first_of(left)]);
+        leave = pov_min(leave, of->out[first_of(left)]);
     }
     if (enter > leave + margin || (enter - of->start - margin) * of->per_unit > most)
         return CSG_NOTHING;

@@ -36,14 +36,14 @@ static bool find_map(const csg_member *m, const pov_outline *c, const csg_outlin
         for (int i = 0; i < 3; i++)
             out->column[i] = pov_scale(linear.column[i], size);
         out->from = pov_sub(pov_add(middle, m->xform->own_anchor), c->centre);
-        from = fmax(pov_largest(middle), fmax(pov_largest(m->xform->own_anchor), pov_largest(c->centre)));
+        from = pov_max(pov_largest(middle), pov_max(pov_largest(m->xform->own_anchor), pov_largest(c->centre)));
     } else {
         out->column[0].x = out->column[1].y = out->column[2].z = size;
         out->from = pov_sub(of->centre, c->centre);
-        from = fmax(pov_largest(of->centre), pov_largest(c->centre));
+        from = pov_max(pov_largest(of->centre), pov_largest(c->centre));
     }
     for (int i = 0; i < 3; i++)
-        least = i == 0 ? pov_largest(out->column[0]) : fmin(least, pov_largest(out->column[i]));
+        least = i == 0 ? pov_largest(out->column[0]) : pov_min(least, pov_largest(out->column[i]));
     return from < farthest * least && pov_largest(of->centre) < farthest * size;
 }
 
@@ -82,7 +82,7 @@ static bool add_quadric(const pov_outline *c, const own_map *map, double *to)
         number[6 + i] = dot_square(c->square, map->column[i], map->from) + pov_dot(c->linear, map->column[i]);
     number[9] = dot_square(c->square, map->from, map->from) + 2.0 * pov_dot(c->linear, map->from) + c->constant;
     for (int i = 0; i < QUADRIC_NUMBERS; i++)
-        largest = fmax(largest, fabs(number[i]));
+        largest = pov_max(largest, fabs(number[i]));
     known = terms < most_cancelled * largest;
     for (int i = 0; i < QUADRIC_NUMBERS; i++) {
         to[i * FOUR] = number[i] / largest;
@@ -105,8 +105,8 @@ static csg_turned find_turned(const double *of, pov_vec3 axis)
     for (int i = 0; i < 6; i++) {
         const double rest = square[i] - (i < 3 ? out.all : 0.0);
 
-        sphere = fmax(sphere, fabs(rest));
-        turned = fmax(turned, fabs(rest - out.of_axis * products[i]));
+        sphere = pov_max(sphere, fabs(rest));
+        turned = pov_max(turned, fabs(rest - out.of_axis * products[i]));
     }
     out.kind = sphere <= most_turned ? CSG_SPHERE : turned <= most_turned ? CSG_TURNED : CSG_NOT_TURNED;
     return out;
@@ -313,7 +313,7 @@ static double find_size(const csg_tree *t, const csg_outline *of, const pov_outl
     for (uint32_t i = 0; i < of->count; i++) {
         const instance_xform *x = member_at(t, of, i)->xform;
 
-        size = fmax(size, x ? pov_largest(x->anchor) : all[i].slabs > 0 && !all[i].round ? fabs(all[i].hi[0]) : pov_largest(all[i].centre));
+        size = pov_max(size, x ? pov_largest(x->anchor) : all[i].slabs > 0 && !all[i].round ? fabs(all[i].hi[0]) : pov_largest(all[i].centre));
     }
     return size > 0.0 ? size : 1.0;
 }

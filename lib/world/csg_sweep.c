@@ -139,7 +139,7 @@ static bool is_nowhere(const sweep *s, uint32_t from)
         enter = s->io.in[i] > enter ? s->io.in[i] : enter;
         leave = s->io.out[i] < leave ? s->io.out[i] : leave;
     }
-    return enter - near_by(s, enter) > fmin(leave + near_by(s, leave), s->to) || leave + near_by(s, leave) < s->from;
+    return enter - near_by(s, enter) > pov_min(leave + near_by(s, leave), s->to) || leave + near_by(s, leave) < s->from;
 }
 
 static bool begin(sweep *s, uint32_t from, const pov_hits *hits)
@@ -303,7 +303,7 @@ bool csg_sweep_first(csg_traversal *w, pov_hits *hits)
         return false;
     s.from = s.io.start + w->enter / s.io.per_unit;
     s.from -= near_by(&s, s.from);
-    s.to = s.io.start + fmin(w->leave, most) / s.io.per_unit;
+    s.to = s.io.start + pov_min(w->leave, most) / s.io.per_unit;
     s.to += near_by(&s, s.to);
     if (is_nowhere(&s, from))
         return true;

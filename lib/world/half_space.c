@@ -89,8 +89,8 @@ static bool is_in_all(const half_spaces *all, pov_vec3 p, double error)
 
 static void extend(pov_box *b, pov_vec3 p, double by)
 {
-    b->lo = pov_vec3_of(fmin(b->lo.x, p.x - by), fmin(b->lo.y, p.y - by), fmin(b->lo.z, p.z - by));
-    b->hi = pov_vec3_of(fmax(b->hi.x, p.x + by), fmax(b->hi.y, p.y + by), fmax(b->hi.z, p.z + by));
+    b->lo = pov_vec3_of(pov_min(b->lo.x, p.x - by), pov_min(b->lo.y, p.y - by), pov_min(b->lo.z, p.z - by));
+    b->hi = pov_vec3_of(pov_max(b->hi.x, p.x + by), pov_max(b->hi.y, p.y + by), pov_max(b->hi.z, p.z + by));
 }
 
 static void extend_by_corner(const half_spaces *all, uint32_t i, uint32_t j, uint32_t k, pov_box *out)

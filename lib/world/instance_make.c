@@ -48,20 +48,20 @@ static double falls_short(const double row[4], double radius)
     const double sum = fabs(row[0]) + fabs(row[1]) + fabs(row[2]);
     const double length = sqrt(row[0] * row[0] + row[1] * row[1] + row[2] * row[2]);
 
-    return sum > 1e-140 ? fmax(radius * (sum - length - sum * 0x1p-49), 0.0) : 0.0;
+    return sum > 1e-140 ? pov_max(radius * (sum - length - sum * 0x1p-49), 0.0) : 0.0;
 }
 
 static void draw_in(double *lo, double *hi, double by)
 {
-    *lo = fmax(*lo, -pov_next(-(*lo + by)));
-    *hi = fmin(*hi, pov_next(*hi - by));
+    *lo = pov_max(*lo, -pov_next(-(*lo + by)));
+    *hi = pov_min(*hi, pov_next(*hi - by));
 }
 
 void instance_shrink_box(const pov_affine *map, const pov_box *own, pov_box *around)
 {
     const pov_vec3 edge = pov_sub(own->hi, own->lo);
     const double wide = INSTANCE_ROUNDED * (pov_largest(own->lo) + pov_largest(own->hi));
-    const double radius = fmax(0.5 * fmin(edge.x, fmin(edge.y, edge.z)) - wide, 0.0);
+    const double radius = pov_max(0.5 * pov_min(edge.x, pov_min(edge.y, edge.z)) - wide, 0.0);
 
     draw_in(&around->lo.x, &around->hi.x, falls_short(map->m[0], radius));
     draw_in(&around->lo.y, &around->hi.y, falls_short(map->m[1], radius));
@@ -112,9 +112,9 @@ static void set_half(instance_xform *p, const pov_affine *map, const pov_box *ow
     const pov_two at = pov_two_of(component(p->own_anchor, i), component(p->own_anchor_lo, i));
     const double lo = component(own->lo, i), hi = component(own->hi, i), *row = map->inv[i];
     const double above = pov_two_sub(pov_two_of(hi, 0.0), at).hi, below = pov_two_sub(at, pov_two_of(lo, 0.0)).hi;
-    const double least = fmin(above, below) - INSTANCE_ROUNDED * (fabs(lo) + fabs(hi));
+    const double least = pov_min(above, below) - INSTANCE_ROUNDED * (fabs(lo) + fabs(hi));
     const double across = fabs(row[0]) * reach.x + fabs(row[1]) * reach.y + fabs(row[2]) * reach.z;
-    const double half = fmax(fmax(above, below) + INSTANCE_LEAST, INSTANCE_THIN * across);
+    const double half = pov_max(pov_max(above, below) + INSTANCE_LEAST, INSTANCE_THIN * across);
 
     p->per_half[i] = (float)((1.0 - 0x1p-20) / half);
     found->snug &= half > INSTANCE_SMALL && least * (double)p->per_half[i] >= INSTANCE_SNUG;

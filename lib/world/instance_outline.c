@@ -41,7 +41,7 @@ bool instance_outline(const instance_xform *p, pov_outline *io)
 {
     const pov_vec3 from = pov_sub(p->own_anchor, io->centre);
     const double size = vec3_sum(p->own_anchor) + vec3_sum(io->centre);
-    const double largest = fmax(fmax((double)p->per_half[0], (double)p->per_half[1]), (double)p->per_half[2]);
+    const double largest = pov_max(pov_max((double)p->per_half[0], (double)p->per_half[1]), (double)p->per_half[2]);
 
     for (uint32_t i = 0; i < io->slabs; i++) {
         const double shift = pov_dot(io->normal[i], from);

@@ -46,7 +46,7 @@ static void numbers_of(const pov_box *b, double lo[3], double hi[3])
 /* Roundings are small against the gap, wherever it is. */
 static solid_box begin(const pov_box *own)
 {
-    const double size = pov_largest(pov_sub(own->hi, own->lo)), far = fmax(pov_largest(own->lo), pov_largest(own->hi));
+    const double size = pov_largest(pov_sub(own->hi, own->lo)), far = pov_max(pov_largest(own->lo), pov_largest(own->hi));
     solid_box s;
 
     numbers_of(own, s.lo, s.hi);
@@ -103,8 +103,8 @@ static bool leave_out_plane(solid_box *s, const pov_half_space *of)
         for (int j = 0; j < 3; j++) {
             if (j == k)
                 continue;
-            least -= fmax(normal[j] * s->lo[j], normal[j] * s->hi[j]);
-            most -= fmin(normal[j] * s->lo[j], normal[j] * s->hi[j]);
+            least -= pov_max(normal[j] * s->lo[j], normal[j] * s->hi[j]);
+            most -= pov_min(normal[j] * s->lo[j], normal[j] * s->hi[j]);
         }
         lo[k] = fabs(normal[k]) < margin ? -HUGE_VAL : (normal[k] > 0.0 ? least : most) / normal[k];
         hi[k] = fabs(normal[k]) < margin ? HUGE_VAL : (normal[k] > 0.0 ? most : least) / normal[k];

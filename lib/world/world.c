@@ -328,7 +328,7 @@ static pov_status compile(world *w, compile_state *f, const world_options *optio
 
     w->infinite_count = f->infinite_count;
     w->has_bounds = f->finite_count > 0;
-    w->extent = w->has_bounds ? fmax(pov_largest(w->bounds.lo), pov_largest(w->bounds.hi)) : 0.0;
+    w->extent = w->has_bounds ? pov_max(pov_largest(w->bounds.lo), pov_largest(w->bounds.hi)) : 0.0;
     w->scratch_bytes = f->scratch;
     w->bounds = f->bounds;
     w->transparent = f->transparent;

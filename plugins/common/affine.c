@@ -44,7 +44,7 @@ static double largest_entry(const double m[3][4])
 
     for (i = 0; i < 3; i++) {
         for (j = 0; j < 3; j++)
-            largest = fmax(largest, fabs(m[i][j]));
+            largest = pov_max(largest, fabs(m[i][j]));
     }
     return largest;
 }

@@ -72,7 +72,7 @@ static void turning_points(const double *b, int degree, double u[2])
 {
     const double first = b[1] - b[0], second = b[2] - b[1], third = b[degree] - b[2];
     const double bent = degree == 3 ? first - 2.0 * second + third : 0.0, half = degree == 3 ? second - first : 0.5 * (second - first);
-    const double square = half * half - bent * first, q = -(half + copysign(sqrt(fmax(square, 0.0)), half));
+    const double square = half * half - bent * first, q = -(half + copysign(sqrt(pov_max(square, 0.0)), half));
 
     u[0] = first / q;
     u[1] = q / bent;
@@ -80,19 +80,19 @@ static void turning_points(const double *b, int degree, double u[2])
 
 void common_bernstein_widen(const double *b, int degree, double *lo, double *hi)
 {
-    const double least = fmin(b[0], b[degree]), most = fmax(b[0], b[degree]), noise = 0x1p-48 * largest_of(b, degree);
+    const double least = pov_min(b[0], b[degree]), most = pov_max(b[0], b[degree]), noise = 0x1p-48 * largest_of(b, degree);
     double u[2];
 
-    *lo = fmin(*lo, least);
-    *hi = fmax(*hi, most);
-    if (degree < 2 || (fmin(b[1], b[degree - 1]) >= least && fmax(b[1], b[degree - 1]) <= most))
+    *lo = pov_min(*lo, least);
+    *hi = pov_max(*hi, most);
+    if (degree < 2 || (pov_min(b[1], b[degree - 1]) >= least && pov_max(b[1], b[degree - 1]) <= most))
         return;
     turning_points(b, degree, u);
     for (int i = 0; i < 2; i++) {
         if (!(u[i] > 0.0 && u[i] < 1.0))
             continue;
-        *lo = fmin(*lo, value_of(b, degree, u[i]) - noise);
-        *hi = fmax(*hi, value_of(b, degree, u[i]) + noise);
+        *lo = pov_min(*lo, value_of(b, degree, u[i]) - noise);
+        *hi = pov_max(*hi, value_of(b, degree, u[i]) + noise);
     }
 }
 
@@ -368,8 +368,8 @@ static uint32_t solve_quadratic(const double *b, double noise, double *root)
     }
     one = fraction_of(q, b[2]);
     other = fraction_of(b[0], q);
-    root[0] = fmin(one, other);
-    root[1] = fmax(one, other);
+    root[0] = pov_min(one, other);
+    root[1] = pov_max(one, other);
     return 2;
 }
 

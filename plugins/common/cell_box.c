@@ -13,8 +13,8 @@ static bool is_boxed(const pov_box *all, const pov_box *b)
 
 static void add_box(pov_box *all, const pov_box *b)
 {
-    all->lo = pov_vec3_of(fmin(all->lo.x, b->lo.x), fmin(all->lo.y, b->lo.y), fmin(all->lo.z, b->lo.z));
-    all->hi = pov_vec3_of(fmax(all->hi.x, b->hi.x), fmax(all->hi.y, b->hi.y), fmax(all->hi.z, b->hi.z));
+    all->lo = pov_vec3_of(pov_min(all->lo.x, b->lo.x), pov_min(all->lo.y, b->lo.y), pov_min(all->lo.z, b->lo.z));
+    all->hi = pov_vec3_of(pov_max(all->hi.x, b->hi.x), pov_max(all->hi.y, b->hi.y), pov_max(all->hi.z, b->hi.z));
 }
 
 static void find_cells(const search *s, const pov_box *cell, uint32_t left)

@@ -65,7 +65,7 @@ static bool is_axial(pov_two3 row)
 /* Scale by powers of two to the order of one: radii, height, and the rows for scaled points. */
 static void normalise(common_cone *s)
 {
-    double largest_radius = fmax(s->radius.hi, pov_two_add(s->radius, pov_two_mul(s->slope, s->height)).hi);
+    double largest_radius = pov_max(s->radius.hi, pov_two_add(s->radius, pov_two_mul(s->slope, s->height)).hi);
     double across = pov_inverse_power(largest_radius), along = pov_inverse_power(s->height.hi), largest;
     int i;
 
@@ -75,7 +75,7 @@ static void normalise(common_cone *s)
     s->row[0] = scaled(s->row[0], across);
     s->row[1] = scaled(s->row[1], across);
     s->row[2] = scaled(s->row[2], along);
-    largest = fmax(largest_of(s->row[0]), fmax(largest_of(s->row[1]), largest_of(s->row[2])));
+    largest = pov_max(largest_of(s->row[0]), pov_max(largest_of(s->row[1]), largest_of(s->row[2])));
     /* The rows are divided by a power of two that points will be multiplied by. */
     largest = pov_inverse_power(largest);
     for (i = 0; i < 3; i++)
@@ -152,9 +152,9 @@ static pov_two3 unit_row(pov_two3 row)
 static void extend(const common_cone_size *s, double anchor, double x, double y, double z, double *lo, double *hi)
 {
     const double across = sqrt(x * x + y * y), shift = z * s->length;
-    const double slack = 32.0 * COMMON_U * (across * fmax(s->radii[0], s->radii[1]) + fabs(shift));
-    const double low = fmin(-across * s->radii[0], shift - across * s->radii[1]);
-    const double high = fmax(across * s->radii[0], shift + across * s->radii[1]);
+    const double slack = 32.0 * COMMON_U * (across * pov_max(s->radii[0], s->radii[1]) + fabs(shift));
+    const double low = pov_min(-across * s->radii[0], shift - across * s->radii[1]);
+    const double high = pov_max(across * s->radii[0], shift + across * s->radii[1]);
 
     *lo = common_below(anchor + common_below(low - slack));
     *hi = common_above(anchor + common_above(high + slack));

@@ -34,8 +34,8 @@ static common_one describe(const pov_frame *frame, const common_cone *s)
     one.radius = (float)(s->radius.hi + 0.5 * s->slope.hi * s->height.hi);
     one.slope = (float)s->slope.hi;
     one.half = (float)(0.5 * s->height.hi);
-    one.high = (float)(LOST * fmin(sum[2], TOO_SMALL)) + 16.0f * COMMON_E;
-    one.wide = (float)(LOST * fmin(1.5 * fmax(sum[0], sum[1]) + fabs(s->slope.hi) * sum[2], TOO_SMALL))
+    one.high = (float)(LOST * pov_min(sum[2], TOO_SMALL)) + 16.0f * COMMON_E;
+    one.wide = (float)(LOST * pov_min(1.5 * pov_max(sum[0], sum[1]) + fabs(s->slope.hi) * sum[2], TOO_SMALL))
         + 32.0f * COMMON_E;
     one.closed = s->open ? 0.0f : HUGE_VALF;
     return one;

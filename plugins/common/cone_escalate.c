@@ -194,7 +194,7 @@ static double to_apex(const common_cone *s, const span *side, pov_two3 w, pov_tw
     const double at_hi = side->for_ever ? HUGE_VAL : fabs(r + grow * side->hi.hi);
     const double there = at_lo < at_hi ? side->lo.hi : side->hi.hi;
 
-    return !side->empty && fmin(at_lo, at_hi) < 0x1p-4 * fabs(r) && isfinite(there) ? there : 0.0;
+    return !side->empty && pov_min(at_lo, at_hi) < 0x1p-4 * fabs(r) && isfinite(there) ? there : 0.0;
 }
 
 /* The direction in local coordinates. A rise that was lost there, where the shape is small along its axis, is the least that

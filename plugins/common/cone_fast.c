@@ -185,7 +185,7 @@ static bool fast(const common_cone *s, const common_ray *k, const approx *g, lea
     if (out)
         roots[n++] = root_of(middle, both.hi, both.hi_of, cone_mark(s));
     equation.separation = s->slender ? 0.0 : side.separation;
-    return common_report(roots, n, fmin(COMMON_FINE / speed, COMMON_SEPARATION * side.separation), &equation, hits);
+    return common_report(roots, n, pov_min(COMMON_FINE / speed, COMMON_SEPARATION * side.separation), &equation, hits);
 }
 
 /* A ray that enters a capped shape leaves it once, within its diameter, which is below sqrt(20): that suffices for

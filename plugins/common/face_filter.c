@@ -8,7 +8,7 @@
  * is off by less than (16 + 8 W) e. What doubles lose is far less. */
 common_face_view common_face_view_of(const common_view *v)
 {
-    const double w = fmax(fmax(fabs(v->w[0]), fabs(v->w[1])), fabs(v->w[2]));
+    const double w = pov_max(pov_max(fabs(v->w[0]), fabs(v->w[1])), fabs(v->w[2]));
     common_face_view f = { v->across, v->up, v->forward, { (float)v->w[0], (float)v->w[1], (float)v->w[2] },
                            (float)(v->d[v->across] / v->d[v->forward]), (float)(v->d[v->up] / v->d[v->forward]),
                            v->exact ? HUGE_VALF : 24.0f * COMMON_E * (1.0f + (float)w) };

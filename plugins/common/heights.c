@@ -104,7 +104,7 @@ void common_heights_cross(const void *self, const pov_ray *ray, const common_ent
     w.ray = ray;
     w.hits = hits;
     w.through.about = e->k;
-    w.base = fmax(e->span.lo, 0.0);
+    w.base = pov_max(e->span.lo, 0.0);
     w.from_here = ray->origin_surface == hits->owner;
     w.seen = false;
     common_triangle_place(&w.through, ray, common_heights_centre(), 1.0);
@@ -113,6 +113,6 @@ void common_heights_cross(const void *self, const pov_ray *ray, const common_ent
     w.by = in_steps(f, e->k.d);
     w.off = hits->always_exact || !(pov_largest(pov_two3_hi(e->k.f)) < COMMON_FAR) ? HUGE_VAL : 0x1p-10 * (1.0 + pov_largest(o));
     w.most = 2.0 + fabs(w.by.x) + fabs(w.by.z);
-    common_relief_search(&f->relief, o, e->k.d, fmin(e->span.hi - w.base, end_of(&w)), visit_cell, &w);
+    common_relief_search(&f->relief, o, e->k.d, pov_min(e->span.hi - w.base, end_of(&w)), visit_cell, &w);
     hits->escalated += w.through.view.escalated;
 }

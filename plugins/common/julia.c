@@ -152,7 +152,7 @@ static void follow_quaternions(const common_julia *j, uint32_t places_wanted, do
 /* The square of a sum's size, where each part may be off. */
 static double square_at_least(disc u, disc v)
 {
-    const double a = fmax(disc_size(u) - u.off, 0.0), b = fmax(disc_size(v) - v.off, 0.0);
+    const double a = pov_max(disc_size(u) - u.off, 0.0), b = pov_max(disc_size(v) - v.off, 0.0);
 
     return 0.5 * (a * a + b * b);
 }

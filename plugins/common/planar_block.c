@@ -69,7 +69,7 @@ void common_planar_extend(common_planar *f, pov_vec3 corner)
     uint32_t i;
 
     for (i = 0; i < COMMON_SIDES; i++)
-        f->offset[i] = fmin(f->offset[i], pov_dot(f->side[i], corner));
+        f->offset[i] = pov_min(f->offset[i], pov_dot(f->side[i], corner));
 }
 
 /* ---- blocks ---- */

@@ -120,7 +120,7 @@ static bool report(const search *s, const part *of, const common_root *found)
             const double one = distance_of(of, found->lo), other = distance_of(of, found->hi);
             const bool rising = found->rising == ((of->size < 0.0) == of->beyond);
 
-            t = common_polynomial_complete(s->p, s->k, &r, fmin(one, other), fmax(one, other), rising);
+            t = common_polynomial_complete(s->p, s->k, &r, pov_min(one, other), pov_max(one, other), rising);
             flags = POV_MARK_ESCALATED;
         }
     }

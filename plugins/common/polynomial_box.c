@@ -177,7 +177,7 @@ static double least_on_face(const common_polynomial *p, const weights *w, int fa
         for (int v = 0; v < FACE && least > 0.0; v++) {
             for (int j = 0; j <= n; j++)
                 apply(n, maps[v], strip + j * row, cell + j * row, 1);
-            least = fmin(least, least_of(cell, row * row));
+            least = pov_min(least, least_of(cell, row * row));
         }
     }
     return least;
@@ -194,7 +194,7 @@ static double least_outward(const common_polynomial *p, const weights *w)
     for (int i = 0; i < FACE; i++)
         find_map(p->order, -1.0 + side * i, -1.0 + side * i + side, maps[i]);
     for (int face = 0; face < faces && least > 0.0; face++)
-        least = fmin(least, least_on_face(p, w, face % 3, face >= 3, maps));
+        least = pov_min(least, least_on_face(p, w, face % 3, face >= 3, maps));
     return least - 0x1p-40 * size_of_weight(p, w, w->most);
 }
 
@@ -229,8 +229,8 @@ static bool is_found(const hunt *h, const pov_box *b)
 
 static void join(pov_box *a, const pov_box *b)
 {
-    a->lo = pov_vec3_of(fmin(a->lo.x, b->lo.x), fmin(a->lo.y, b->lo.y), fmin(a->lo.z, b->lo.z));
-    a->hi = pov_vec3_of(fmax(a->hi.x, b->hi.x), fmax(a->hi.y, b->hi.y), fmax(a->hi.z, b->hi.z));
+    a->lo = pov_vec3_of(pov_min(a->lo.x, b->lo.x), pov_min(a->lo.y, b->lo.y), pov_min(a->lo.z, b->lo.z));
+    a->hi = pov_vec3_of(pov_max(a->hi.x, b->hi.x), pov_max(a->hi.y, b->hi.y), pov_max(a->hi.z, b->hi.z));
 }
 
 /* Below or above the middle of an axis. */

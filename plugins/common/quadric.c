@@ -69,7 +69,7 @@ static int exponent_of(const pov_two *q, int n)
     int i, exponent;
 
     for (i = 0; i < n; i++)
-        largest = fmax(largest, fabs(q[i].hi));
+        largest = pov_max(largest, fabs(q[i].hi));
     if (!(largest > 0.0) || !isfinite(largest))
         return -100000;
     frexp(largest, &exponent);

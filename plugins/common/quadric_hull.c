@@ -69,9 +69,9 @@ static void find_ends(const common_quadric *s, pov_vec3 axis, const pov_half_spa
         if (across > nearly)
             continue;
         if (along > 0.0)
-            end[1] = fmin(end[1], at);
+            end[1] = pov_min(end[1], at);
         else
-            end[0] = fmax(end[0], -at);
+            end[0] = pov_max(end[0], -at);
     }
 }
 
@@ -86,7 +86,7 @@ static double largest_between(const rest *r, const double end[2])
 
     if (r->l == 0.0 && r->g == 0.0)
         return -r->j;
-    return isfinite(end[0]) && isfinite(end[1]) ? fmax(less(r, end[0]), less(r, end[1])) + slack : HUGE_VAL;
+    return isfinite(end[0]) && isfinite(end[1]) ? pov_max(less(r, end[0]), less(r, end[1])) + slack : HUGE_VAL;
 }
 
 static void put(const common_quadric *s, pov_vec3 normal, double distance, pov_half_space *out)
@@ -99,9 +99,9 @@ static void put(const common_quadric *s, pov_vec3 normal, double distance, pov_h
 static void close_end(const rest *r, double end[2])
 {
     if (r->l == 0.0 && r->g > 0.0)
-        end[1] = fmin(end[1], -r->j / r->g);
+        end[1] = pov_min(end[1], -r->j / r->g);
     if (r->l == 0.0 && r->g < 0.0)
-        end[0] = fmax(end[0], -r->j / r->g);
+        end[0] = pov_max(end[0], -r->j / r->g);
 }
 
 /* The equation in its frame: about the centre across the axis. */
@@ -141,7 +141,7 @@ uint32_t common_quadric_hull(const void *self, const pov_half_space *within, uin
     end[1] += slack;
     most = largest_between(&r, end);
     for (int i = 0; i < 2 && most < HUGE_VAL; i++) {
-        const double radius = sqrt(fmax(most, 0.0) / f.l[i]) * (1.0 + widen) + slack;
+        const double radius = sqrt(pov_max(most, 0.0) / f.l[i]) * (1.0 + widen) + slack;
 
         put(s, f.e[i], centre[i] + radius, &out[count++]);
         put(s, pov_scale(f.e[i], -1.0), radius - centre[i], &out[count++]);

@@ -71,7 +71,7 @@ static bool solve(const quadric *s, const common_ray *k, double middle, solution
     const pov_two3 turn = common_half_gradient(s->q, d, false);
     /* A ray along a straight line of the surface changes its distance so slowly that squares may underflow: its
      * direction is scaled by `power`. */
-    const double power = pov_inverse_power(fmax(pov_largest(pov_two3_hi(turn)), fabs(pov_two3_dot(d, g).hi)));
+    const double power = pov_inverse_power(pov_max(pov_largest(pov_two3_hi(turn)), fabs(pov_two3_dot(d, g).hi)));
     const pov_two a = fast_square(d, turn, power), b = pov_two_scale(pov_two3_dot(d, g), power);
     const pov_two c = common_value(s->q, w, g);
     const pov_two discriminant = pov_two_sub(pov_two_mul(b, b), pov_two_mul(a, c));
@@ -103,7 +103,7 @@ static double to_anchor(const common_ray *k, double middle, const solution *root
     const double at_exit = isfinite(roots->exit.hi) ? pov_largest(common_along(k, middle + roots->exit.hi)) : HUGE_VAL;
     const double there = at_entry < at_exit ? roots->entry.hi : roots->exit.hi;
 
-    return isfinite(there) && fmin(at_entry, at_exit) < 0x1p-4 * here ? there : 0.0;
+    return isfinite(there) && pov_min(at_entry, at_exit) < 0x1p-4 * here ? there : 0.0;
 }
 
 /* Is the value at a crossing zero, as far as its point is known? A discriminant of coefficients that are too far apart may
@@ -222,7 +222,7 @@ static bool fast_curved(const quadric *s, const common_ray *k, const along *r, d
     }
     equation.separation = root / fabs(r->a);
     size = s->sizeless ? pov_largest(pov_two3_hi(k->f)) : 1.0;
-    return common_report(roots, n, fmin(COMMON_FINE * COMMON_SLOWEST * size, COMMON_SEPARATION * equation.separation),
+    return common_report(roots, n, pov_min(COMMON_FINE * COMMON_SLOWEST * size, COMMON_SEPARATION * equation.separation),
                          &equation, hits);
 }
 

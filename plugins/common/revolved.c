@@ -20,7 +20,7 @@ void common_revolved_curve(common_revolved_part *p, double low, double high, con
     for (int k = 0; k < 4; k++)
         p->size += fabs(p->square[k]);
     /* What is lost where coefficients cancel. */
-    p->size = fmax(p->size, fabs(b[0]) + fabs(c1) + fabs(c2) + fabs(c3));
+    p->size = pov_max(p->size, fabs(b[0]) + fabs(c1) + fabs(c2) + fabs(c3));
     p->inner = p->outer = p->loose = 0.0;
 }
 
@@ -39,7 +39,7 @@ static void make_straight(common_revolved_part *p, const double radius[2], const
     const double square[4] = { a * a, a * other, b * third, b * b };
 
     if (height[0] == height[1]) {
-        common_revolved_ring(p, height[0], a * b > 0.0 ? fmin(fabs(a), fabs(b)) : 0.0, fmax(fabs(a), fabs(b)), feature);
+        common_revolved_ring(p, height[0], a * b > 0.0 ? pov_min(fabs(a), fabs(b)) : 0.0, pov_max(fabs(a), fabs(b)), feature);
     } else {
         common_revolved_curve(p, height[!rises], height[rises], square, feature);
         p->square[3] = 0.0;

@@ -20,8 +20,8 @@ static int longest_axis(const common_part *parts, uint32_t n)
 
     for (uint32_t i = 0; i < n; i++)
         for (int axis = 0; axis < 3; axis++) {
-            lo[axis] = fmin(lo[axis], parts[i].at[axis]);
-            hi[axis] = fmax(hi[axis], parts[i].at[axis]);
+            lo[axis] = pov_min(lo[axis], parts[i].at[axis]);
+            hi[axis] = pov_max(hi[axis], parts[i].at[axis]);
         }
     for (int axis = 1; axis < 3; axis++)
         if (hi[axis] - lo[axis] > hi[longest] - lo[longest])

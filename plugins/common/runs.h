@@ -20,8 +20,8 @@ void common_runs_arrange(common_part *parts, uint32_t n);
 
 static inline void common_run_extend(pov_box *box, bool first, pov_vec3 lo, pov_vec3 hi)
 {
-    box->lo = first ? lo : pov_vec3_of(fmin(box->lo.x, lo.x), fmin(box->lo.y, lo.y), fmin(box->lo.z, lo.z));
-    box->hi = first ? hi : pov_vec3_of(fmax(box->hi.x, hi.x), fmax(box->hi.y, hi.y), fmax(box->hi.z, hi.z));
+    box->lo = first ? lo : pov_vec3_of(pov_min(box->lo.x, lo.x), pov_min(box->lo.y, lo.y), pov_min(box->lo.z, lo.z));
+    box->hi = first ? hi : pov_vec3_of(pov_max(box->hi.x, hi.x), pov_max(box->hi.y, hi.y), pov_max(box->hi.z, hi.z));
 }
 
 /* The box of part i; far more than roundings around it. */

@@ -98,7 +98,7 @@ void common_sheet_make(common_sheet *s, const pov_host *host, pov_reader *in, ui
             host->fail(in, "a point of this surface has no place");
             return;
         }
-    s->scale = pov_inverse_power(fmax(pov_largest(box.lo), pov_largest(box.hi)));
+    s->scale = pov_inverse_power(pov_max(pov_largest(box.lo), pov_largest(box.hi)));
     s->anchor = pov_scale(pov_add(box.lo, box.hi), 0.5 * s->scale);
     if (!s->bounded)
         s->box = box;

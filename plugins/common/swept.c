@@ -24,11 +24,11 @@ void common_swept_bounds(const common_swept *s, pov_vec3 *lo, pov_vec3 *hi)
     double a[2], b[2];
 
     for (int i = 0; i < 2; i++) {
-        a[i] = fmin(fmin(o->lo[i] * low, o->lo[i] * high), fmin(o->hi[i] * low, o->hi[i] * high));
-        b[i] = fmax(fmax(o->lo[i] * low, o->lo[i] * high), fmax(o->hi[i] * low, o->hi[i] * high));
+        a[i] = pov_min(pov_min(o->lo[i] * low, o->lo[i] * high), pov_min(o->hi[i] * low, o->hi[i] * high));
+        b[i] = pov_max(pov_max(o->lo[i] * low, o->lo[i] * high), pov_max(o->hi[i] * low, o->hi[i] * high));
         if (s->conic && low < 0.0 && high > 0.0) {
-            a[i] = fmin(a[i], 0.0);
-            b[i] = fmax(b[i], 0.0);
+            a[i] = pov_min(a[i], 0.0);
+            b[i] = pov_max(b[i], 0.0);
         }
     }
     *lo = joined(s, a[0], s->lo.hi, a[1]);
@@ -213,7 +213,7 @@ bool common_swept_cross(const common_swept *s, const pov_ray *ray, const common_
     w.base = w.origin < PIECES + s->outline.count ? 0.0 : e->span.lo;
     if (!find_slab(&w))
         return true;
-    find_crossings(&w, room, fmin(hits->tmin * w.k->per_unit, 0.0) - 2.0 * NEAR, common_wants(w.k, 0.0, 0.0, hits).far + 2.0 * NEAR);
+    find_crossings(&w, room, pov_min(hits->tmin * w.k->per_unit, 0.0) - 2.0 * NEAR, common_wants(w.k, 0.0, 0.0, hits).far + 2.0 * NEAR);
     for (uint32_t i = 0; i < w.count; i++) {
         const pov_two t = pov_two_sum(w.base, w.at[i].s);
 

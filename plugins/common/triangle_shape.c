@@ -5,7 +5,7 @@
 void common_triangle_make(common_triangle *t, const pov_vec3 corner[3])
 {
     const pov_vec3 e = pov_sub(corner[1], corner[0]), f = pov_sub(corner[2], corner[0]);
-    const double size = fmax(pov_largest(e), pov_largest(f));
+    const double size = pov_max(pov_largest(e), pov_largest(f));
     int i;
 
     t->scale = size > 0.0 ? pov_inverse_power(size) : 1.0;   /* programs write points, too */
@@ -21,8 +21,8 @@ bool common_triangle_bounds(const void *self, pov_box *out)
     const double back = common_inverse(t->scale);
     const pov_vec3 a = t->corner[0], b = t->corner[1], c = t->corner[2];
 
-    out->lo = pov_vec3_of(fmin(fmin(a.x, b.x), c.x), fmin(fmin(a.y, b.y), c.y), fmin(fmin(a.z, b.z), c.z));
-    out->hi = pov_vec3_of(fmax(fmax(a.x, b.x), c.x), fmax(fmax(a.y, b.y), c.y), fmax(fmax(a.z, b.z), c.z));
+    out->lo = pov_vec3_of(pov_min(pov_min(a.x, b.x), c.x), pov_min(pov_min(a.y, b.y), c.y), pov_min(pov_min(a.z, b.z), c.z));
+    out->hi = pov_vec3_of(pov_max(pov_max(a.x, b.x), c.x), pov_max(pov_max(a.y, b.y), c.y), pov_max(pov_max(a.z, b.z), c.z));
     out->lo = pov_scale(out->lo, back);
     out->hi = pov_scale(out->hi, back);
     return true;

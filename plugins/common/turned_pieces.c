@@ -41,7 +41,7 @@ void common_turned_make(common_turned *p, const common_piece *c)
     p->high = -HUGE_VAL;
     common_bernstein_widen(c->y, n, &p->low, &p->high);
     common_bernstein_widen(c->x, n, &least, &most);
-    p->widest = fmax(least * least, most * most);
+    p->widest = pov_max(least * least, most * most);
     /* What both pieces at a joint have, in the same bits. */
     p->y[0] = c->y[0];
     p->y[2 * n] = c->y[n];

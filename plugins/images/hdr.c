@@ -169,7 +169,7 @@ static void put_pixel(const float *colour, unsigned char out[4])
         return;
     frexp(largest < most ? largest : most, &exponent);
     for (int c = 0; c < 3; c++)
-        out[c] = colour[c] > 0.0f ? (unsigned char)fmin(ldexp(colour[c], 8 - exponent), 255.0) : 0;
+        out[c] = colour[c] > 0.0f ? (unsigned char)pov_min(ldexp(colour[c], 8 - exponent), 255.0) : 0;
     out[3] = (unsigned char)(exponent + 128);
 }
 

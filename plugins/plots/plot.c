@@ -49,8 +49,8 @@ static void widen(scale *s, double value)
 {
     if (!is_shown(s, value))
         return;
-    s->low = fmin(s->low, position(s, value));
-    s->high = fmax(s->high, position(s, value));
+    s->low = pov_min(s->low, position(s, value));
+    s->high = pov_max(s->high, position(s, value));
 }
 
 static void widen_by_panel(scale *s, const pov_panel *p, bool vertical)
@@ -87,7 +87,7 @@ static scale make_scale(const pov_panel *p, const pov_axis *axis, bool vertical)
         s.low = 0.0;
         s.high = 1.0;
     }
-    room = s.high > s.low ? 0.05 * (s.high - s.low) : s.logarithmic ? 0.3 : fmax(fabs(s.low), 1.0) * 0.1;
+    room = s.high > s.low ? 0.05 * (s.high - s.low) : s.logarithmic ? 0.3 : pov_max(fabs(s.low), 1.0) * 0.1;
     s.low -= room;
     s.high += room;
     return s;
@@ -408,7 +408,7 @@ static void draw_legend(const frame *f)
     set_text(f->to, parsed_size, false);
     for (size_t i = 0; i < f->panel->series_count; i++)
         if (f->panel->series[i].name) {
-            width = fmax(width, text_width(f->to, f->panel->series[i].name));
+            width = pov_max(width, text_width(f->to, f->panel->series[i].name));
             named++;
         }
     if (named == 0)
@@ -478,7 +478,7 @@ static void draw_all(cairo_t *to, const pov_plot *plot)
         const pov_panel *p = &plot->panels[i];
         frame f = { .to = to, .panel = p, .left = left, .top = y, .width = plot->width - left - right };
 
-        f.height = fmax(room * (p->share > 0.0 ? p->share : 1.0) / shares, 20.0);
+        f.height = pov_max(room * (p->share > 0.0 ? p->share : 1.0) / shares, 20.0);
         draw_panel(&f);
         y += f.height + foot;
     }

@@ -55,8 +55,8 @@ static void find_box(common_blob_part *c, const written *w)
         reach = pov_vec3_of(r[0], r[1], r[2]);
     }
     reach = pov_scale(reach, 1.0 + 0x1p-40);
-    c->lo = pov_sub(pov_vec3_of(fmin(a.x, b.x), fmin(a.y, b.y), fmin(a.z, b.z)), reach);
-    c->hi = pov_add(pov_vec3_of(fmax(a.x, b.x), fmax(a.y, b.y), fmax(a.z, b.z)), reach);
+    c->lo = pov_sub(pov_vec3_of(pov_min(a.x, b.x), pov_min(a.y, b.y), pov_min(a.z, b.z)), reach);
+    c->hi = pov_add(pov_vec3_of(pov_max(a.x, b.x), pov_max(a.y, b.y), pov_max(a.z, b.z)), reach);
 }
 
 static common_blob_part *append(common_blob *b, const pov_host *host, pov_reader *in)
@@ -191,8 +191,8 @@ static void place(common_blob *b)
     for (uint32_t i = 1; i < b->count; i++) {
         const common_blob_part *c = &b->at[i];
 
-        lo = pov_vec3_of(fmin(lo.x, c->lo.x), fmin(lo.y, c->lo.y), fmin(lo.z, c->lo.z));
-        hi = pov_vec3_of(fmax(hi.x, c->hi.x), fmax(hi.y, c->hi.y), fmax(hi.z, c->hi.z));
+        lo = pov_vec3_of(pov_min(lo.x, c->lo.x), pov_min(lo.y, c->lo.y), pov_min(lo.z, c->lo.z));
+        hi = pov_vec3_of(pov_max(hi.x, c->hi.x), pov_max(hi.y, c->hi.y), pov_max(hi.z, c->hi.z));
     }
     middle = pov_scale(pov_add(lo, hi), 0.5);
     b->boxed.anchor = pov_two3_of(middle, pov_vec3_of(0.0, 0.0, 0.0));

@@ -109,7 +109,7 @@ static pov_two cross_product(const slabs *s, int plane, int axis, double factor,
 /* The sign of the difference of both products: in double-double, and exactly where that leaves it open. */
 static int compare_products(const slabs *s, int p, int q)
 {
-    const double power = pov_inverse_power(fmax(fabs(s->d[p / 2]), fabs(s->d[q / 2])));
+    const double power = pov_inverse_power(pov_max(fabs(s->d[p / 2]), fabs(s->d[q / 2])));
     double size_p, size_q;
     const pov_two difference = pov_two_sub(cross_product(s, p, q / 2, power, &size_p),
                                            cross_product(s, q, p / 2, power, &size_q));

@@ -28,7 +28,7 @@ static void find_range(height_field *f)
         low = f->height[i] < low ? f->height[i] : low;
         high = f->height[i] > high ? f->height[i] : high;
     }
-    f->low = fmax(low * 0x1p-16, f->water);
+    f->low = pov_max(low * 0x1p-16, f->water);
     f->high = high * 0x1p-16;
 }
 
@@ -91,7 +91,7 @@ static bool bounds(const void *self, pov_box *out)
 {
     const height_field *f = self;
 
-    out->lo = pov_vec3_of(0.0, fmin(f->low, f->high), 0.0);
+    out->lo = pov_vec3_of(0.0, pov_min(f->low, f->high), 0.0);
     out->hi = pov_vec3_of(1.0, f->high, 1.0);
     return true;
 }
@@ -111,7 +111,7 @@ static const void *extension(const char *name) { return common_is_fast(name) ? &
 /* The cell of a point, and where it is in it. */
 static void cell_of(const height_field *f, pov_vec3 p, uint32_t *x, uint32_t *z, double *u, double *v)
 {
-    const double across = fmin(fmax(p.x * (f->wide - 1.0), 0.0), f->wide - 1.0), along = fmin(fmax(p.z * (f->deep - 1.0), 0.0), f->deep - 1.0);
+    const double across = pov_min(pov_max(p.x * (f->wide - 1.0), 0.0), f->wide - 1.0), along = pov_min(pov_max(p.z * (f->deep - 1.0), 0.0), f->deep - 1.0);
 
     *x = (uint32_t)across < f->wide - 2 ? (uint32_t)across : f->wide - 2;
     *z = (uint32_t)along < f->deep - 2 ? (uint32_t)along : f->deep - 2;
@@ -133,7 +133,7 @@ static bool inside(const void *self, pov_vec3 point, pov_vec3 point_lo)
     cell_of(f, p, &x, &z, &u, &v);
     height = u + v <= 1.0 ? blend(common_height_at(f, x, z), common_height_at(f, x + 1, z), common_height_at(f, x, z + 1), u, v)
                           : blend(common_height_at(f, x + 1, z + 1), common_height_at(f, x, z + 1), common_height_at(f, x + 1, z), 1.0 - u, 1.0 - v);
-    return p.y < fmax(height, f->water);
+    return p.y < pov_max(height, f->water);
 }
 
 static void normal(const void *self, const pov_ray *ray, const pov_crossing *at, pov_vec3 *out)

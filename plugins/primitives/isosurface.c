@@ -42,8 +42,8 @@ static void read_container(isosurface *s, const pov_host *host, pov_reader *in)
     } else {
         host->vector(in, &b);
     }
-    s->lo = pov_vec3_of(fmin(a.x, b.x), fmin(a.y, b.y), fmin(a.z, b.z));
-    s->hi = pov_vec3_of(fmax(a.x, b.x), fmax(a.y, b.y), fmax(a.z, b.z));
+    s->lo = pov_vec3_of(pov_min(a.x, b.x), pov_min(a.y, b.y), pov_min(a.z, b.z));
+    s->hi = pov_vec3_of(pov_max(a.x, b.x), pov_max(a.y, b.y), pov_max(a.z, b.z));
     host->expect(in, "}");
     host->expect(in, "}");
 }
@@ -52,7 +52,7 @@ static void read_container(isosurface *s, const pov_host *host, pov_reader *in)
 static bool read_other(isosurface *s, const pov_host *host, pov_reader *in)
 {
     if (host->accept(in, "evaluate")) {
-        s->gradient = fmax(s->gradient, host->number(in));
+        s->gradient = pov_max(s->gradient, host->number(in));
         for (int i = 0; i < 2; i++) {
             host->accept(in, ",");
             host->number(in);
@@ -89,7 +89,7 @@ static bool is_outside(const void *self, pov_vec3 middle, pov_vec3 half)
 {
     const isosurface *s = self;
     const pov_vec3 from = pov_sub(middle, s->centre);
-    const pov_vec3 near = { fmax(fabs(from.x) - half.x, 0.0), fmax(fabs(from.y) - half.y, 0.0), fmax(fabs(from.z) - half.z, 0.0) };
+    const pov_vec3 near = { pov_max(fabs(from.x) - half.x, 0.0), pov_max(fabs(from.y) - half.y, 0.0), pov_max(fabs(from.z) - half.z, 0.0) };
 
     return s->sphere && pov_dot(near, near) > s->radius * s->radius * (1.0 + 0x1p-20);
 }
@@ -133,7 +133,7 @@ static void parse(void *self, const pov_host *host, pov_reader *in)
     s->accuracy = s->accuracy > 0.0 ? s->accuracy : ACCURACY;
     s->size = pov_largest(pov_sub(s->hi, s->lo));
     /* Doubles tell no more. */
-    s->accuracy = fmax(fmin(s->accuracy, 0x1p-9 * s->size), 0x1p-46 * s->size);
+    s->accuracy = pov_max(pov_min(s->accuracy, 0x1p-9 * s->size), 0x1p-46 * s->size);
     find_cells(s, host, in);
 }
 
@@ -143,9 +143,9 @@ static bool bounds(const void *self, pov_box *out)
     pov_vec3 lo = s->lo, hi = s->hi;
 
     if (s->exact) {
-        lo = pov_vec3_of(fmax(lo.x, s->cells.from.x), fmax(lo.y, s->cells.from.y), fmax(lo.z, s->cells.from.z));
-        hi = pov_vec3_of(fmin(hi.x, s->cells.to.x), fmin(hi.y, s->cells.to.y), fmin(hi.z, s->cells.to.z));
-        hi = pov_vec3_of(fmax(lo.x, hi.x), fmax(lo.y, hi.y), fmax(lo.z, hi.z));
+        lo = pov_vec3_of(pov_max(lo.x, s->cells.from.x), pov_max(lo.y, s->cells.from.y), pov_max(lo.z, s->cells.from.z));
+        hi = pov_vec3_of(pov_min(hi.x, s->cells.to.x), pov_min(hi.y, s->cells.to.y), pov_min(hi.z, s->cells.to.z));
+        hi = pov_vec3_of(pov_max(lo.x, hi.x), pov_max(lo.y, hi.y), pov_max(lo.z, hi.z));
     }
     out->lo = pov_vec3_of(common_below(lo.x), common_below(lo.y), common_below(lo.z));
     out->hi = pov_vec3_of(common_above(hi.x), common_above(hi.y), common_above(hi.z));
@@ -313,14 +313,14 @@ static bool begin(const isosurface *s, const pov_ray *ray, pov_hits *hits, asked
     if (!clip(s, &k, &span) || span.hi <= 0.0 || span.lo * k.unit > hits->tmax)
         return false;
     n->s = s;
-    n->base = fmax(span.lo, 0.0);
+    n->base = pov_max(span.lo, 0.0);
     n->o = common_along(&k, n->base);
     n->d = k.d;
     n->speed = sqrt(pov_dot(k.d, k.d));
     n->unit = k.unit;
     n->memory = hits->scratch;
     n->hits = hits;
-    out->end = fmin(span.hi, hits->tmax * k.per_unit * (1.0 + 0x1p-20)) - n->base;
+    out->end = pov_min(span.hi, hits->tmax * k.per_unit * (1.0 + 0x1p-20)) - n->base;
     out->from_surface = from_here && !from_skin;
     out->enters = !s->open && span.lo > 0.0 && !from_skin;
     /* A ray that starts on the skin goes in, or is at its end already. */

@@ -65,9 +65,9 @@ static bool read_item(common_julia *j, wishes *w, const pov_host *host, pov_read
     else if (host->accept(in, "quaternion"))
         w->quaternion = true;
     else if (host->accept(in, "max_iteration"))
-        j->places = (uint32_t)fmin(fmax(host->number(in), 1.0), 1e6);
+        j->places = (uint32_t)pov_min(pov_max(host->number(in), 1.0), 1e6);
     else if (host->accept(in, "precision"))
-        j->shortest = 1.0 / fmin(fmax(host->number(in), 1.0), 1e5);
+        j->shortest = 1.0 / pov_min(pov_max(host->number(in), 1.0), 1e5);
     else if (host->accept(in, "slice"))
         read_slice(j, host, in);
     else
@@ -128,7 +128,7 @@ static void parse(void *self, const pov_host *host, pov_reader *in)
     j->cube = w.cube;
     j->f = w.f ? w.f : w.hypercomplex ? disc_squared : NULL;
     j->squares = j->f == disc_squared;
-    j->reach = j->f ? 4.0 : fmin(1.0 + sqrt(square_of(&j->c)), 2.0);
+    j->reach = j->f ? 4.0 : pov_min(1.0 + sqrt(square_of(&j->c)), 2.0);
     j->shortest *= j->f ? 0x1p-4 : 0x1p-10;   /* of quaternions few stretches come near it */
     j->first = j->f ? 0.25 : 0.5;
     j->shrink = j->f ? 0.25 : 0.3;

@@ -57,7 +57,7 @@ static void take_in_points(common_outline *o)
 {
     for (uint32_t i = 0; i < o->count; i++)
         for (uint32_t k = 0; k <= o->at[i].degree; k++)
-            o->lo[0] = fmin(o->lo[0], o->at[i].x[k]);
+            o->lo[0] = pov_min(o->lo[0], o->at[i].x[k]);
 }
 
 static void pack(lathe *l, const pov_host *host, pov_reader *in)
@@ -75,9 +75,9 @@ static void place(lathe *l, common_spline kind, const pov_host *host, pov_reader
 
     common_outline_bound(&l->outline);
     middle[1] = 0.5 * (l->outline.lo[1] + l->outline.hi[1]);
-    l->wide = fmax(fabs(l->outline.lo[0]), fabs(l->outline.hi[0]));
+    l->wide = pov_max(fabs(l->outline.lo[0]), fabs(l->outline.hi[0]));
     l->high = 0.5 * (l->outline.hi[1] - l->outline.lo[1]);
-    l->boxed.scale = pov_inverse_power(fmax(l->wide, l->high));
+    l->boxed.scale = pov_inverse_power(pov_max(l->wide, l->high));
     l->wide *= l->boxed.scale;
     l->high *= l->boxed.scale;
     l->boxed.anchor.y.hi = middle[1];
@@ -160,7 +160,7 @@ static void make_line(line *n, const common_ray *k, common_span span)
     const double across = k->d.x * k->d.x + k->d.z * k->d.z;
 
     n->base = across > 0.0 ? -(f.x * k->d.x + f.z * k->d.z) / across : span.lo;
-    n->base = fmin(fmax(n->base, span.lo), span.hi);
+    n->base = pov_min(pov_max(n->base, span.lo), span.hi);
     n->unit = 1.0 / sqrt(pov_dot(k->d, k->d));
     n->o = common_along(k, n->base);
     n->d = pov_scale(k->d, n->unit);

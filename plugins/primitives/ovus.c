@@ -25,7 +25,7 @@ static const double NEAR = 0x1p-30, BESIDE = 0x1p-44;
 /* The square of the radius of the arc and its slope. */
 static double square_of_arc(const ovus *o, double y, double *slope)
 {
-    const double up = y - o->h, reach = sqrt(fmax(o->arc * o->arc - up * up, 0.0)), radius = reach - o->a;
+    const double up = y - o->h, reach = sqrt(pov_max(o->arc * o->arc - up * up, 0.0)), radius = reach - o->a;
 
     *slope = -2.0 * radius * up / reach;
     return radius * radius;
@@ -69,8 +69,8 @@ static void make_filter(ovus *o, const pov_host *host, pov_reader *in)
     o->filter.at = host->alloc(in, (2 + ARCS) * sizeof *o->filter.at);
     if (!o->filter.at)
         return;
-    add_sphere(o, -o->bottom, fmin(o->low, o->bottom), 0.0, o->bottom);
-    add_sphere(o, fmax(o->high, o->bottom - o->top), o->bottom + o->top, o->bottom, o->top);
+    add_sphere(o, -o->bottom, pov_min(o->low, o->bottom), 0.0, o->bottom);
+    add_sphere(o, pov_max(o->high, o->bottom - o->top), o->bottom + o->top, o->bottom, o->top);
     for (int i = 0; i < ARCS && o->low < o->high; i++)
         add_arc(o, o->low + (o->high - o->low) * i / ARCS, o->low + (o->high - o->low) * (i + 1) / ARCS);
 }
@@ -80,24 +80,24 @@ static void parse(void *self, const pov_host *host, pov_reader *in)
     ovus *o = self;
     double R = common_radius(host, in), r = (host->accept(in, ","), common_radius(host, in)), K, share;
 
-    if (!(fmax(R, r) > 0.0))
+    if (!(pov_max(R, r) > 0.0))
         host->fail(in, "the radii of an ovus must not be 0");
     if (r >= 2.0 * R)
         host->warn(in, "the second radius of an ovus should be less than double the first: it is a sphere");
     o->boxed.scale = pov_inverse_power(R + r);
     o->bottom = R * o->boxed.scale;
     o->top = r * o->boxed.scale;
-    K = o->arc = 2.0 * fmax(o->bottom, o->top);
+    K = o->arc = 2.0 * pov_max(o->bottom, o->top);
     /* a^2 + h^2 = (K - R)^2 and a^2 + (h - R)^2 = (K - r)^2. */
     o->h = ((K - o->bottom) * (K - o->bottom) - (K - o->top) * (K - o->top) + o->bottom * o->bottom) / (2.0 * o->bottom);
-    o->a = sqrt(fmax((K - o->bottom) * (K - o->bottom) - o->h * o->h, 0.0));
+    o->a = sqrt(pov_max((K - o->bottom) * (K - o->bottom) - o->h * o->h, 0.0));
     share = o->bottom / (K - o->bottom);
     o->low = -o->h * share;
     o->high = K - o->top > 0.0 ? o->bottom + (o->bottom - o->h) * o->top / (K - o->top) : o->bottom;
     o->foot = r < 2.0 * R ? o->bottom : o->top - o->bottom;
     if (r >= 2.0 * R)
         o->low = o->high = -2.0 * o->foot - o->bottom;
-    o->wide = fmax(fmax(o->bottom, o->top), o->h >= o->low && o->h <= o->high ? K - o->a : 0.0) * (1.0 + 0x1p-40);
+    o->wide = pov_max(pov_max(o->bottom, o->top), o->h >= o->low && o->h <= o->high ? K - o->a : 0.0) * (1.0 + 0x1p-40);
     o->boxed.lo = pov_vec3_of(-o->wide, -o->foot, -o->wide);
     o->boxed.hi = pov_vec3_of(o->wide, o->bottom + o->top, o->wide);
     make_filter(o, host, in);

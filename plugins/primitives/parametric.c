@@ -55,8 +55,8 @@ static void read_container(parametric *p, const pov_host *host, pov_reader *in)
     host->expect(in, "}");
     host->expect(in, "}");
     p->sheet.bounded = true;
-    p->sheet.box.lo = pov_vec3_of(fmin(a.x, b.x), fmin(a.y, b.y), fmin(a.z, b.z));
-    p->sheet.box.hi = pov_vec3_of(fmax(a.x, b.x), fmax(a.y, b.y), fmax(a.z, b.z));
+    p->sheet.box.lo = pov_vec3_of(pov_min(a.x, b.x), pov_min(a.y, b.y), pov_min(a.z, b.z));
+    p->sheet.box.hi = pov_vec3_of(pov_max(a.x, b.x), pov_max(a.y, b.y), pov_max(a.z, b.z));
 }
 
 /* Words of a method that there is not here. */

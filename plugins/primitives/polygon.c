@@ -157,7 +157,7 @@ static double choose_side(common_polygon *s, const common_corner *corners, doubl
  * margin. */
 static double tolerance(const common_polygon *s)
 {
-    const double coordinate = fmax(fmax(pov_largest(s->box.lo), pov_largest(s->box.hi)) * s->scale, 1.0);
+    const double coordinate = pov_max(pov_max(pov_largest(s->box.lo), pov_largest(s->box.hi)) * s->scale, 1.0);
 
     return 32.0 * COMMON_U * coordinate;
 }
@@ -172,9 +172,9 @@ static void scale_corners(common_polygon *s, common_corner *corners)
     for (i = 0; i < s->count; i++) {
         const pov_vec3 v = corners[i].world;
 
-        size = fmax(size, pov_largest(pov_two3_hi(offset_of(s, &corners[i]))));
-        s->box.lo = pov_vec3_of(fmin(s->box.lo.x, v.x), fmin(s->box.lo.y, v.y), fmin(s->box.lo.z, v.z));
-        s->box.hi = pov_vec3_of(fmax(s->box.hi.x, v.x), fmax(s->box.hi.y, v.y), fmax(s->box.hi.z, v.z));
+        size = pov_max(size, pov_largest(pov_two3_hi(offset_of(s, &corners[i]))));
+        s->box.lo = pov_vec3_of(pov_min(s->box.lo.x, v.x), pov_min(s->box.lo.y, v.y), pov_min(s->box.lo.z, v.z));
+        s->box.hi = pov_vec3_of(pov_max(s->box.hi.x, v.x), pov_max(s->box.hi.y, v.y), pov_max(s->box.hi.z, v.z));
     }
     s->scale = pov_inverse_power(size);
     for (i = 0; i < s->count; i++)
@@ -202,7 +202,7 @@ static double measure(const common_polygon *s, const common_corner *corners)
     uint32_t i;
 
     for (i = 0; i < s->count; i++)
-        largest = fmax(largest, fabs(pov_two3_dot(s->normal, offset_of(s, &corners[i])).hi) / length);
+        largest = pov_max(largest, fabs(pov_two3_dot(s->normal, offset_of(s, &corners[i])).hi) / length);
     return largest;
 }
 

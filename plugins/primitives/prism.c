@@ -91,7 +91,7 @@ static double reach_of(const prism *p)
 {
     const common_outline *o = &p->swept.outline;
 
-    return fmax(fmax(o->hi[0] - o->lo[0], o->hi[1] - o->lo[1]), p->swept.hi.hi - p->swept.lo.hi);
+    return pov_max(pov_max(o->hi[0] - o->lo[0], o->hi[1] - o->lo[1]), p->swept.hi.hi - p->swept.lo.hi);
 }
 
 /* The cone's apex is at the origin, so that stays where it is. */
@@ -110,7 +110,7 @@ static void place(prism *p)
         p->boxed.scale = pov_inverse_power(reach_of(p));
         common_outline_place(o, middle, p->boxed.scale);
     } else {
-        p->boxed.scale = pov_inverse_power(fmax(fabs(p->swept.lo.hi), fabs(p->swept.hi.hi)));
+        p->boxed.scale = pov_inverse_power(pov_max(fabs(p->swept.lo.hi), fabs(p->swept.hi.hi)));
     }
     p->boxed.anchor = pov_two3_of(anchor, zero);
     p->swept.lo = pov_two_scale(pov_two_sum(p->swept.lo.hi, -anchor.y), p->boxed.scale);
@@ -121,8 +121,8 @@ static void read_heights(prism *p, const pov_host *host, pov_reader *in)
 {
     const double a = host->number(in), b = (host->accept(in, ","), host->number(in));
 
-    p->swept.lo = pov_two_of(fmin(a, b), 0.0);
-    p->swept.hi = pov_two_of(fmax(a, b), 0.0);
+    p->swept.lo = pov_two_of(pov_min(a, b), 0.0);
+    p->swept.hi = pov_two_of(pov_max(a, b), 0.0);
 }
 
 static void read_flags(prism *p, const pov_host *host, pov_reader *in)

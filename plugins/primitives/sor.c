@@ -74,11 +74,11 @@ static void make(sor *s, const pov_host *host, pov_reader *in, const double (*p)
     for (int turn = 0; turn < 2; turn++) {
         for (uint32_t i = 0; i < s->count; i++) {
             make_piece(s, &s->at[i], p, i + 1);
-            wide = fmax(wide, s->at[i].widest);
+            wide = pov_max(wide, s->at[i].widest);
         }
         s->wide = sqrt(wide) * BESIDE;
         if (turn == 0)
-            s->boxed.scale = pov_inverse_power(fmax(s->wide, high - low));
+            s->boxed.scale = pov_inverse_power(pov_max(s->wide, high - low));
         wide = 0.0;
     }
     s->low = pov_two_scale(pov_two_sum(low, -s->boxed.anchor.y.hi), s->boxed.scale);

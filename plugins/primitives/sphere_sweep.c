@@ -66,10 +66,10 @@ static void find_box(const sweep *s, piece *p)
     for (int k = 0; k <= s->degree; k++) {
         const double radius = fabs(b[3][k]);
 
-        beside = fmax(beside, radius * 0x1p-40);
+        beside = pov_max(beside, radius * 0x1p-40);
         for (int i = 0; i < 3; i++) {
-            lo[i] = fmin(lo[i], b[i][k] - radius);
-            hi[i] = fmax(hi[i], b[i][k] + radius);
+            lo[i] = pov_min(lo[i], b[i][k] - radius);
+            hi[i] = pov_max(hi[i], b[i][k] + radius);
         }
     }
     p->lo = pov_vec3_of(lo[0] - beside, lo[1] - beside, lo[2] - beside);
@@ -98,8 +98,8 @@ static void make(sweep *s, const double (*m)[4], const control *points)
         piece *p = &s->at[i];
 
         make_piece(s, p, m, points + i);
-        s->lo = i == 0 ? p->lo : pov_vec3_of(fmin(s->lo.x, p->lo.x), fmin(s->lo.y, p->lo.y), fmin(s->lo.z, p->lo.z));
-        s->hi = i == 0 ? p->hi : pov_vec3_of(fmax(s->hi.x, p->hi.x), fmax(s->hi.y, p->hi.y), fmax(s->hi.z, p->hi.z));
+        s->lo = i == 0 ? p->lo : pov_vec3_of(pov_min(s->lo.x, p->lo.x), pov_min(s->lo.y, p->lo.y), pov_min(s->lo.z, p->lo.z));
+        s->hi = i == 0 ? p->hi : pov_vec3_of(pov_max(s->hi.x, p->hi.x), pov_max(s->hi.y, p->hi.y), pov_max(s->hi.z, p->hi.z));
     }
 }
 

@@ -13,7 +13,7 @@ static double exponent(const pov_host *host, pov_reader *in, double written)
 {
     if (!(written >= SHARPEST))
         host->warn(in, "an exponent of a superellipsoid below %g counts as that", SHARPEST);
-    return fmax(written, SHARPEST);
+    return pov_max(written, SHARPEST);
 }
 
 static void parse(void *self, const pov_host *host, pov_reader *in)
@@ -25,7 +25,7 @@ static void parse(void *self, const pov_host *host, pov_reader *in)
     s->e = exponent(host, in, v[0]);
     s->n = exponent(host, in, v[1]);
     s->convex = s->e <= 2.0 && s->n <= 2.0;
-    s->approx = fmin(s->e, s->n) >= 0.0625 && fmax(s->e, s->n) <= 16.0;
+    s->approx = pov_min(s->e, s->n) >= 0.0625 && pov_max(s->e, s->n) <= 16.0;
 }
 
 static bool bounds(const void *self, pov_box *out)

@@ -162,8 +162,8 @@ static void note_blank(reading *r)
 {
     pov_box *b = &r->out->blanks;
 
-    b->lo = pov_vec3_of(fmin(b->lo.x, r->pen.x), fmin(b->lo.y, r->pen.y), fmin(0.0, r->depth));
-    b->hi = pov_vec3_of(fmax(b->hi.x, r->pen.x), fmax(b->hi.y, r->pen.y), fmax(0.0, r->depth));
+    b->lo = pov_vec3_of(pov_min(b->lo.x, r->pen.x), pov_min(b->lo.y, r->pen.y), pov_min(0.0, r->depth));
+    b->hi = pov_vec3_of(pov_max(b->hi.x, r->pen.x), pov_max(b->hi.y, r->pen.y), pov_max(0.0, r->depth));
 }
 
 static void take_outline(reading *r)
@@ -173,8 +173,8 @@ static void take_outline(reading *r)
 
     memset(g, 0, sizeof *g);
     g->axis = 2;
-    g->lo = pov_two_of(fmin(0.0, r->depth), 0.0);
-    g->hi = pov_two_of(fmax(0.0, r->depth), 0.0);
+    g->lo = pov_two_of(pov_min(0.0, r->depth), 0.0);
+    g->hi = pov_two_of(pov_max(0.0, r->depth), 0.0);
     r->outline = &g->outline;
     FT_Outline_Decompose(&r->face->glyph->outline, &functions, r);
     if (g->outline.count == 0) {
@@ -238,8 +238,8 @@ static void pack_boxes(text *t, const pov_host *host, pov_reader *in)
 
 static void widen(common_boxed *b, pov_vec3 lo, pov_vec3 hi)
 {
-    b->lo = pov_vec3_of(fmin(b->lo.x, lo.x), fmin(b->lo.y, lo.y), fmin(b->lo.z, lo.z));
-    b->hi = pov_vec3_of(fmax(b->hi.x, hi.x), fmax(b->hi.y, hi.y), fmax(b->hi.z, hi.z));
+    b->lo = pov_vec3_of(pov_min(b->lo.x, lo.x), pov_min(b->lo.y, lo.y), pov_min(b->lo.z, lo.z));
+    b->hi = pov_vec3_of(pov_max(b->hi.x, hi.x), pov_max(b->hi.y, hi.y), pov_max(b->hi.z, hi.z));
 }
 
 static void place(text *t, const pov_host *host, pov_reader *in)
@@ -251,8 +251,8 @@ static void place(text *t, const pov_host *host, pov_reader *in)
     for (uint32_t i = 0; i < t->count; i++) {
         common_outline_bound(&t->glyph[i].outline);
         common_swept_bounds(&t->glyph[i], &a, &b);
-        lo = pov_vec3_of(fmin(lo.x, a.x), fmin(lo.y, a.y), fmin(lo.z, a.z));
-        hi = pov_vec3_of(fmax(hi.x, b.x), fmax(hi.y, b.y), fmax(hi.z, b.z));
+        lo = pov_vec3_of(pov_min(lo.x, a.x), pov_min(lo.y, a.y), pov_min(lo.z, a.z));
+        hi = pov_vec3_of(pov_max(hi.x, b.x), pov_max(hi.y, b.y), pov_max(hi.z, b.z));
     }
     middle = t->count > 0 ? pov_scale(pov_add(lo, hi), 0.5) : zero;
     t->boxed.scale = t->count > 0 ? pov_inverse_power(pov_largest(pov_sub(hi, lo))) : 1.0;
@@ -310,8 +310,8 @@ static bool bounds(const void *self, pov_box *out)
         common_swept_bounds(&t->glyph[i], &a, &b);
         a = pov_add(pov_scale(a, back), anchor);
         b = pov_add(pov_scale(b, back), anchor);
-        out->lo = pov_vec3_of(fmin(out->lo.x, common_below(a.x)), fmin(out->lo.y, common_below(a.y)), fmin(out->lo.z, common_below(a.z)));
-        out->hi = pov_vec3_of(fmax(out->hi.x, common_above(b.x)), fmax(out->hi.y, common_above(b.y)), fmax(out->hi.z, common_above(b.z)));
+        out->lo = pov_vec3_of(pov_min(out->lo.x, common_below(a.x)), pov_min(out->lo.y, common_below(a.y)), pov_min(out->lo.z, common_below(a.z)));
+        out->hi = pov_vec3_of(pov_max(out->hi.x, common_above(b.x)), pov_max(out->hi.y, common_above(b.y)), pov_max(out->hi.z, common_above(b.z)));
     }
     return true;
 }

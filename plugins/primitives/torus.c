@@ -37,7 +37,7 @@ static void parse(void *self, const pov_host *host, pov_reader *in)
     if (host->accept(in, "sturm") && host->more(in))
         host->boolean(in);
     find_kind(t, host, in);
-    t->scale = pov_inverse_power(fmax(t->major, t->minor));
+    t->scale = pov_inverse_power(pov_max(t->major, t->minor));
     t->R = t->major * t->scale;
     t->r = t->minor * t->scale;
     minor_square = pov_two_product(t->r, t->r);

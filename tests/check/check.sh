@@ -115,6 +115,10 @@ grep -E '(^|[^a-zA-Z0-9_.>])(malloc|calloc|realloc|free|strdup|posix_memalign|al
     grep -v '^lib/base/env\.c:' >> "$work/found"
 report "only lib/base/env.c takes memory"
 
+# Those of the C library are calls, and of instructions that are slow beside ours on some processors: povtrace/math.h.
+grep -E '(^|[^a-zA-Z0-9_.>])f(min|max)f?[[:space:]]*\(' "$work/code" >> "$work/found"
+report "the lesser and the greater of two numbers are found without a call"
+
 # The build of portable C, which `make bench-bits` holds the others against, has no vector code by hand.
 grep -nE '#.*defined\(__x86_64__\)' $(sources lib plugins) | grep -vE 'POV_PORTABLE|_ONE_CLONE' >> "$work/found"
 report "vector code is left out where POV_PORTABLE is defined"

@@ -12,6 +12,13 @@ typedef struct pov_box { pov_vec3 lo, hi; } pov_box;
 /* p' = m p with p = (x, y, z, 1), and the inverse map. Each entry is an unevaluated sum of two parts. */
 typedef struct pov_affine { double m[3][4], m_lo[3][4], inv[3][4], inv_lo[3][4]; } pov_affine;
 
+/* The lesser and the greater of two numbers, as fmin() and fmax() have it: a NaN is left out. Those of the C library are calls, and
+ * of instructions from before AVX, for which Intel's processors wait 300 cycles while the upper halves of vectors hold something. */
+static inline double pov_min(double a, double b) { return a < b || b != b ? a : b; }
+static inline double pov_max(double a, double b) { return a > b || b != b ? a : b; }
+static inline float pov_minf(float a, float b) { return a < b || b != b ? a : b; }
+static inline float pov_maxf(float a, float b) { return a > b || b != b ? a : b; }
+
 static inline pov_vec3 pov_vec3_of(double x, double y, double z) { pov_vec3 v; v.x = x; v.y = y; v.z = z; return v; }
 static inline pov_vec3 pov_add(pov_vec3 a, pov_vec3 b) { return pov_vec3_of(a.x + b.x, a.y + b.y, a.z + b.z); }
 static inline pov_vec3 pov_sub(pov_vec3 a, pov_vec3 b) { return pov_vec3_of(a.x - b.x, a.y - b.y, a.z - b.z); }
