@@ -4,6 +4,8 @@
 
 #include "world/surface.h"
 
+#include <povtrace/exact.h>
+
 /* Geometry of surfaces relative to the incident rays. Light uses the shading normals; the side to which a ray leaves
  * follows from the geometric ones. */
 typedef struct geometry {
@@ -45,13 +47,14 @@ static inline double geometry_cosines(const geometry *g, uint32_t i)
 }
 
 /* Normalise a vector whose squared length is within double's range, bit for bit as pov_unit(). Returns -1, or 0 if it
- * is out of range and the result invalid. (An integer as wide as a double makes the shortest loops.) */
+ * or a component is out of range and the result invalid. (An integer as wide as a double makes the shortest loops.) */
 static inline int64_t geometry_unit(double x, double y, double z, pov_vec3 *out)
 {
-    const double square = x * x + y * y + z * z, length = sqrt(square);
+    const double square = x * x + y * y + z * z, length = sqrt(square), inverse = 1.0 / length;
+    const int moderate = pov_is_moderate(x) & pov_is_moderate(y) & pov_is_moderate(z);
 
-    *out = pov_vec3_of(x / length, y / length, z / length);
-    return ((square >= 1e-239) & (square <= 1e239)) ? -1 : 0;
+    *out = pov_vec3_of(pov_quotient(x, length, inverse), pov_quotient(y, length, inverse), pov_quotient(z, length, inverse));
+    return ((square >= 1e-239) & (square <= 1e239) & moderate) ? -1 : 0;
 }
 
 #endif

@@ -3,6 +3,8 @@
 #include "texture/blend.h"
 #include "texture/points.h"
 
+#include <povtrace/exact.h>
+
 SIMD_CLONES static void add_lanes(const vec_lanes *restrict bump, double amount, uint32_t n, vec_lanes *restrict normal)
 {
     for (uint32_t i = 0; i < n; i++) {
@@ -118,39 +120,33 @@ SIMD_CLONES static void leave_all(const normal_map *restrict map, uint32_t n, ve
         lanes_put(normal, i, leave(map, lanes_at(normal, i)));
 }
 
-/* Lengths by lane, as pov_unit() finds them. False: some square is out of range. */
-SIMD_CLONES static bool find_lengths(uint32_t n, const vec_lanes *restrict v, double *restrict length)
+/* Unit vectors by lane, as pov_unit() makes them. False: some square or component is out of range. */
+SIMD_CLONES static bool find_units(uint32_t n, const vec_lanes *restrict v, vec_lanes *restrict unit)
 {
     int64_t plain = -1;
 
     for (uint32_t i = 0; i < n; i++) {
-        const double square = v->x[i] * v->x[i] + v->y[i] * v->y[i] + v->z[i] * v->z[i];
+        const double x = v->x[i], y = v->y[i], z = v->z[i], square = x * x + y * y + z * z, length = sqrt(square), inverse = 1.0 / length;
+        const int moderate = pov_is_moderate(x) & pov_is_moderate(y) & pov_is_moderate(z);
 
-        plain &= ((square >= 1e-239) & (square <= 1e239)) ? -1 : 0;
-        length[i] = sqrt(square);
+        plain &= ((square >= 1e-239) & (square <= 1e239) & moderate) ? -1 : 0;
+        unit->x[i] = pov_quotient(x, length, inverse);
+        unit->y[i] = pov_quotient(y, length, inverse);
+        unit->z[i] = pov_quotient(z, length, inverse);
     }
     return plain != 0;
 }
 
-SIMD_CLONES static void divide(const double *restrict by, uint32_t n, vec_lanes *restrict v)
-{
-    for (uint32_t i = 0; i < n; i++) {
-        v->x[i] /= by[i];
-        v->y[i] /= by[i];
-        v->z[i] /= by[i];
-    }
-}
-
 static void make_unit(uint32_t n, vec_lanes *normal)
 {
-    SIMD_ALIGNED double length[LANES_MAX];
+    vec_lanes unit;
 
-    if (find_lengths(n, normal, length)) {
-        divide(length, n, normal);
-        return;
-    }
-    for (uint32_t i = 0; i < n; i++)
-        lanes_put(normal, i, pov_unit(lanes_at(normal, i)));
+    if (!find_units(n, normal, &unit))
+        for (uint32_t i = 0; i < n; i++)
+            lanes_put(&unit, i, pov_unit(lanes_at(normal, i)));
+    memcpy(normal->x, unit.x, n * sizeof *unit.x);
+    memcpy(normal->y, unit.y, n * sizeof *unit.y);
+    memcpy(normal->z, unit.z, n * sizeof *unit.z);
 }
 
 /* ---- the slope of values ---- */

@@ -281,13 +281,15 @@ void common_sphere_intersect_many(const void *const *selves, const pov_ray *cons
     common_intersect_pairs(selves, rays, hits, n, intersect_lanes, common_sphere_intersect);
 }
 
-/* A normal, and its length before normalisation: pov_unit() scales the very large and the very small. */
+/* A normal, and its largest component before normalisation, or 0 where some component is too small beside it:
+ * pov_unit() scales the very large and the very small. */
 static inline double put_unit(common_lane3 *restrict out, uint32_t i, pov_vec3 w)
 {
-    const double length = sqrt(pov_dot(w, w));
+    const double length = sqrt(pov_dot(w, w)), inverse = 1.0 / length;
+    const int moderate = pov_is_moderate(w.x) & pov_is_moderate(w.y) & pov_is_moderate(w.z);
 
-    common_put(out, i, pov_vec3_of(w.x / length, w.y / length, w.z / length));
-    return pov_largest(w);
+    common_put(out, i, pov_vec3_of(pov_quotient(w.x, length, inverse), pov_quotient(w.y, length, inverse), pov_quotient(w.z, length, inverse)));
+    return moderate ? pov_largest(w) : 0.0;
 }
 
 static inline bool is_moderate(double largest) { return largest > 1e-100 && largest < 1e100; }

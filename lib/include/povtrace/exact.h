@@ -48,6 +48,32 @@ static inline pov_two pov_two_product(double a, double b)
 #endif
 }
 
+/* a / by, bit for bit, from inverse = 1 / by, so that several quotients take one division. by > 0, and a is 0 or neither near the
+ * range's ends nor by: see pov_is_moderate(). Two steps towards the quotient; as 1 / by is rounded to nearest, the last one rounds as a
+ * division does (Markstein, IBM Journal of Research and Development 34, 1990), but for the sign of 0. */
+static inline double pov_quotient(double a, double by, double inverse)
+{
+#if defined(__FMA__) || defined(__aarch64__)
+    const double first = a * inverse, second = fma(fma(-first, by, a), inverse, first);
+
+    return copysign(fma(fma(-second, by, a), inverse, second), a);
+#else
+    (void)inverse;
+    return a / by;
+#endif
+}
+
+/* Has pov_quotient() these bits for a? by is from 1e-120 to 1e120. */
+static inline int pov_is_moderate(double a)
+{
+#if defined(__FMA__) || defined(__aarch64__)
+    return (a == 0.0) | ((fabs(a) > 1e-150) & (fabs(a) < 1e150));
+#else
+    (void)a;
+    return 1;
+#endif
+}
+
 static inline pov_two pov_two_neg(pov_two a) { return pov_two_of(-a.hi, -a.lo); }
 
 /* Relative error at most 3 u^2 (u = 2^-53). */
