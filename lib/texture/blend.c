@@ -50,7 +50,25 @@ static bool rises(const float *values, uint32_t count)
 }
 
 /* Where they rise, half of the entries are left out at a time, without branches: lanes would not take them alike. */
-static void find_rising(blending *b, uint32_t count, const double *value, uint32_t n)
+#if defined(__AVX512F__) && defined(__GNUC__)
+static void search_rising(const float *values, uint32_t count, const double *value, uint32_t n, int64_t *entry)
+{
+    for (uint32_t lane = 0; lane < n; lane += 8) {
+        const __m512d own = _mm512_loadu_pd(value + lane);
+        __m512i i = _mm512_setzero_si512();
+
+        for (uint32_t left = count - 1; left > 0;) {
+            const uint32_t half = (left + 1) / 2;
+            const __m512d at = _mm512_cvtps_pd(_mm512_i64gather_ps(i, values + half - 1, sizeof *values));
+
+            i = _mm512_mask_add_epi64(i, _mm512_cmp_pd_mask(own, at, _CMP_GT_OQ), i, _mm512_set1_epi64(half));
+            left -= half;
+        }
+        _mm512_storeu_si512(entry + lane, i);
+    }
+}
+#else
+static void search_rising(const float *values, uint32_t count, const double *value, uint32_t n, int64_t *entry)
 {
     for (uint32_t lane = 0; lane < n; lane++) {
         uint32_t i = 0;
@@ -58,14 +76,24 @@ static void find_rising(blending *b, uint32_t count, const double *value, uint32
         for (uint32_t left = count - 1; left > 0;) {
             const uint32_t half = (left + 1) / 2;
 
-            i += value[lane] > (double)b->values[i + half - 1] ? half : 0;
+            i += value[lane] > (double)values[i + half - 1] ? half : 0;
             left -= half;
         }
-        put_between(b, count, value[lane], i, lane);
+        entry[lane] = i;
     }
 }
+#endif
 
-/* The same for lanes side by side: each entry of a short map is held against all of them, from the last one down. */
+static void find_rising(blending *b, uint32_t count, const double *value, uint32_t n)
+{
+    SIMD_ALIGNED int64_t entry[LANES_MAX];
+
+    search_rising(b->values, count, value, n, entry);
+    for (uint32_t lane = 0; lane < n; lane++)
+        put_between(b, count, value[lane], (uint32_t)entry[lane], lane);
+}
+
+/* Each entry of a short map is held against all of them, from the last one down. */
 enum { MAP_SHORT = 16 };
 
 SIMD_CLONES static void find_short(const float *restrict values, uint32_t count, const double *restrict value, uint32_t n,
@@ -161,13 +189,6 @@ static float share_of_part(const blending *b, uint32_t member, const texture_par
     return share;
 }
 
-static float share_of(const blending *b, uint32_t member, uint32_t lane)
-{
-    if (b->kind == BLEND_PARTS)
-        return share_of_part(b, member, &b->parts[lane]);
-    return b->values[member] / b->total;
-}
-
 /* Shares of lanes side by side, and whether they have any. */
 SIMD_CLONES SIMD_NOINLINE static void find_shares(const blending *restrict b, uint32_t member, uint32_t n, float *restrict share,
                                                   uint32_t *restrict any)
@@ -195,6 +216,18 @@ static uint32_t find_lanes(const blending *b, uint32_t member, uint8_t *lane, fl
     return count;
 }
 
+/* Of an average all lanes have as much. */
+static uint32_t find_average(const blending *b, uint32_t member, uint8_t *lane, float *share)
+{
+    const float own = b->values[member] / b->total;
+
+    for (uint32_t i = 0; i < b->n; i++) {
+        share[i] = own;
+        lane[i] = (uint8_t)i;
+    }
+    return own != 0.0f ? b->n : 0;
+}
+
 uint32_t blend_lanes(const blending *b, uint32_t member, uint8_t *lane, float *share)
 {
     uint32_t count = 0;
@@ -203,8 +236,10 @@ uint32_t blend_lanes(const blending *b, uint32_t member, uint8_t *lane, float *s
         return 0;
     if (b->kind == BLEND_MAP || b->kind == BLEND_LIST)
         return find_lanes(b, member, lane, share);
+    if (b->kind == BLEND_AVERAGE)
+        return find_average(b, member, lane, share);
     for (uint32_t i = 0; i < b->n; i++) {
-        share[count] = share_of(b, member, i);
+        share[count] = share_of_part(b, member, &b->parts[i]);
         lane[count] = (uint8_t)i;
         count += share[count] != 0.0f;
     }
