@@ -211,10 +211,28 @@ static void set_rich(rich_finishes *r, uint32_t i, const appearance *a, uint32_t
         r->crand[i] = f->crand;
 }
 
+/* Is it known how thick the films of the lit surfaces are, as these mirror light? */
+static bool are_filmed(const finishes *f)
+{
+    bool known = true;
+
+    for (uint32_t k = 0; k < f->count; k++) {
+        const appearance *a = f->on->at[f->lit[k]].appearance;
+
+        known &= f->on->filmed >> f->lit[k] & 1 && stack_level(a, f->level)->finish == a->finish;
+    }
+    return known;
+}
+
 static void set_films(finishes *f, const model *m)
 {
     films all;
 
+    if (are_filmed(f)) {
+        for (uint32_t k = 0; k < f->count; k++)
+            f->rich.thickness[f->lit[k]] = f->on->film[f->lit[k]];
+        return;
+    }
     all.count = 0;
     for (uint32_t k = 0; k < f->count; k++)
         films_add(&all, stack_level(f->on->at[f->lit[k]].appearance, f->level)->finish, lanes_at(&f->on->geometry.to.point, f->lit[k]));

@@ -37,17 +37,37 @@ double film_thickness(const model *m, const finish *f, pov_vec3 point)
     return one.thickness[0];
 }
 
-static float factor(const finish *f, double length, float wavelength)
+static inline float factor(float amount, double length, float wavelength)
 {
     const double full_turn = 6.28318530717958647693;
 
-    return 1.0f + f->irid.amount * (float)elementary_cos(full_turn * length / (double)wavelength);
+    return 1.0f + amount * (float)elementary_cos(full_turn * length / (double)wavelength);
+}
+
+SIMD_CLONES static void find_factors(const float *restrict amount, const double *restrict thickness, const double *restrict cosines, float wavelength,
+                                     uint32_t n, float *restrict out)
+{
+    for (uint32_t i = 0; i < n; i++)
+        out[i] = factor(amount[i], thickness[i] * cosines[i], wavelength);
+}
+
+void films_mirrored(films *f, const model *m)
+{
+    const colour waves = m->irid_wavelength;
+    float amount[LANES_MAX];
+
+    for (uint32_t i = 0; i < f->count; i++)
+        amount[i] = f->of[i]->irid.amount;
+    find_factors(amount, f->thickness, f->cosines, waves.r, f->count, f->factor[0]);
+    find_factors(amount, f->thickness, f->cosines, waves.g, f->count, f->factor[1]);
+    find_factors(amount, f->thickness, f->cosines, waves.b, f->count, f->factor[2]);
 }
 
 colour film_mirrored(const model *m, const finish *f, double thickness, double cosines)
 {
-    const double length = thickness * cosines;
     const colour waves = m->irid_wavelength;
+    const double length = thickness * cosines;
+    const float amount = f->irid.amount;
 
-    return colour_of(factor(f, length, waves.r), factor(f, length, waves.g), factor(f, length, waves.b));
+    return colour_of(factor(amount, length, waves.r), factor(amount, length, waves.g), factor(amount, length, waves.b));
 }

@@ -11,6 +11,8 @@ typedef struct films {
     const finish *of[LANES_MAX];
     vec_lanes at;
     double thickness[LANES_MAX];
+    double cosines[LANES_MAX];   /* to a film's normal, of the ways to and from it, added up */
+    float factor[3][LANES_MAX];  /* what it makes of the light that it mirrors */
 } films;
 
 static inline void films_add(films *f, const finish *of, pov_vec3 point)
@@ -20,8 +22,10 @@ static inline void films_add(films *f, const finish *of, pov_vec3 point)
 }
 
 void films_find(films *f, const model *m);
+/* Their factors by thickness and cosines. */
+void films_mirrored(films *f, const model *m);
 double film_thickness(const model *m, const finish *f, pov_vec3 point);
-/* What a film makes of the light that it mirrors: the sum of the cosines to its normal of the ways to and from it. */
+/* The factor of one. */
 colour film_mirrored(const model *m, const finish *f, double thickness, double cosines);
 
 #endif

@@ -272,13 +272,18 @@ static void add_films(const shade_context *c, surfaces *s, const uint8_t *lanes,
     films all;
 
     all.count = 0;
-    for (uint32_t k = 0; k < n; k++)
+    for (uint32_t k = 0; k < n; k++) {
+        all.cosines[k] = geometry_cosines(g, lanes[k]);
         films_add(&all, s->at[lanes[k]].appearance->finish, lanes_at(&g->to.point, lanes[k]));
+    }
     films_find(&all, c->scene->model);
+    films_mirrored(&all, c->scene->model);
     for (uint32_t k = 0; k < n; k++) {
         colour *by = &s->reflection[lanes[k]].by;
 
-        *by = colour_mul(*by, film_mirrored(c->scene->model, all.of[k], all.thickness[k], geometry_cosines(g, lanes[k])));
+        *by = colour_mul(*by, colour_of(all.factor[0][k], all.factor[1][k], all.factor[2][k]));
+        s->film[lanes[k]] = all.thickness[k];
+        s->filmed |= (uint64_t)1 << lanes[k];
     }
 }
 
@@ -290,6 +295,7 @@ static void set_all(const shade_context *c, surfaces *s, bool layered)
     uint8_t filmed[BATCH_MAX];
     uint32_t films_count = 0;
 
+    s->filmed = 0;
     find_all(m, c->scene->model);
     if (same && m->held->finish->irid.amount == 0.0f) {
         set_alike(c->scene->model, s, m->held, layered ? 1.0f : m->held->finish->refraction, layered || m->held->transmissive);

@@ -370,6 +370,7 @@ int surfaces_complete(shade_context *c, surfaces *s, painted *p)
         world_surface_many(scene->world, own, s->rays, s->found, s->count, &s->geometry.to);
     s->geometry.shading = s->geometry.raw = &s->geometry.to.normal;
     s->interfaces = 0;
+    s->filmed = 0;
     s->coloured = NULL;
     s->layered = NULL;
     if (scene->plan->smooth)

@@ -61,6 +61,8 @@ typedef struct surfaces {
     colour_lanes pigment, emitted;   /* of coloured ones */
     coefficient reflection[BATCH_MAX], filter[BATCH_MAX];   /* what goes on from those of which it depends on the angle */
     bool dark[BATCH_MAX];
+    uint64_t filmed;             /* bit i: the film of surface i is as thick as `film` says */
+    double film[BATCH_MAX];
     uint32_t interfaces, last_interface;   /* how many are known, and the last surface that was asked for one */
     uint8_t interface[BATCH_MAX];   /* by surface; see interface.h */
     dielectric_crossing crossing[BATCH_MAX];
