@@ -222,18 +222,19 @@ COMMON_INLINE void enter_pair(const common_julia *restrict j, const common_probe
     q->off[0][l] = q->off[1][l] = q->wide[l] = wide;
 }
 
-/* The square of one of a pair plus a number. */
-COMMON_INLINE void square_one(pairs *restrict q, uint32_t which, uint32_t l, double re, double im)
+/* The square of one of a pair plus a number; size: its own. */
+COMMON_INLINE void square_one(pairs *restrict q, uint32_t which, uint32_t l, double size, double re, double im)
 {
-    const double x = q->re[which][l], y = q->im[which][l], off = q->off[which][l], size = sqrt(x * x + y * y);
+    const double x = q->re[which][l], y = q->im[which][l], off = q->off[which][l];
 
     q->re[which][l] = (x * x - y * y) + re;
     q->im[which][l] = 2.0 * x * y + im;
     q->off[which][l] = off > 0.0 ? (2.0 * size + off) * off : 0.0;
 }
 
-/* What is known of them at a place. What has left stays as it is. */
-COMMON_INLINE int64_t look_at_pair(const pairs *restrict q, uint32_t l, uint32_t place, double most, common_probes *restrict s)
+/* What is known of them at a place, and the next. What has left stays as it is. */
+COMMON_INLINE int64_t pass_pair(const double *restrict c, uint32_t l, uint32_t place, double most, pairs *restrict q,
+                                common_probes *restrict s)
 {
     const double ux = q->re[0][l], uy = q->im[0][l], vx = q->re[1][l], vy = q->im[1][l], u_off = q->off[0][l], v_off = q->off[1][l];
     const double u2 = ux * ux + uy * uy, v2 = vx * vx + vy * vy, square = 0.5 * (u2 + v2), u = sqrt(u2), v = sqrt(v2);
@@ -246,12 +247,14 @@ COMMON_INLINE int64_t look_at_pair(const pairs *restrict q, uint32_t l, uint32_t
     s->place[l] = before ? place : s->place[l];
     s->open[l] = before ? open : s->open[l];
     s->left[l] = left;
+    square_one(q, 0, l, u, c[0] - c[3], c[1] + c[2]);
+    square_one(q, 1, l, v, c[0] + c[3], c[1] - c[2]);
     return left;
 }
 
 COMMON_INLINE void follow_pairs(const common_julia *restrict j, uint32_t places_wanted, double reach, uint32_t lanes, common_probes *restrict s)
 {
-    const double *c = j->c.v, most = reach * reach;
+    const double most = reach * reach;
     int64_t any = -1;
     pairs q;
 
@@ -264,11 +267,7 @@ COMMON_INLINE void follow_pairs(const common_julia *restrict j, uint32_t places_
     for (uint32_t place = 0; any && place < places_wanted; place++) {
         any = 0;
         for (uint32_t l = 0; l < lanes; l++)
-            any |= look_at_pair(&q, l, place, most, s);
-        for (uint32_t l = 0; l < lanes; l++) {
-            square_one(&q, 0, l, c[0] - c[3], c[1] + c[2]);
-            square_one(&q, 1, l, c[0] + c[3], c[1] - c[2]);
-        }
+            any |= pass_pair(j->c.v, l, place, most, &q, s);
     }
 }
 
