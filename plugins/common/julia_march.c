@@ -380,6 +380,56 @@ static void move_lane(search *x, uint32_t from, uint32_t to)
     common_probe_put(p, to, get(p->p, from), get(p->d, from), p->off[from], p->wide[from] != 0);
 }
 
+/* ---- a ray that is alone ---- */
+
+/* Its next stretches fill the lanes beside it: of a stretch in lane l, what follows where it is clear is in lane 2 l + 1, and what follows
+ * where it is open in lane 2 l + 2. */
+enum { AHEAD = 7 };
+
+/* Functions other than squares and cubes are followed one by one. */
+static bool looks_ahead(const search *x) { return x->count == 1 && x->s.asked[0] && (!x->j->f || x->j->squares); }
+
+static void ask_ahead(search *x)
+{
+    stretches *s = &x->s;
+    const double shortest = s->shortest[0], to = s->to[0];
+    const pov_vec3 o = get(s->o, 0), d = get(s->d, 0);
+
+    for (uint32_t l = 1; l < AHEAD; l++) {
+        const uint32_t before = (l - 1) / 2;
+        const bool clear = l % 2 == 1;
+        const double length = s->length[before], from = clear ? s->end[before] : s->from[before];
+
+        s->from[l] = from;
+        s->length[l] = clear ? x->j->grow * (length > shortest ? length : shortest) : x->j->shrink * length;
+        s->end[l] = end_of(from, s->length[l], shortest, to);
+        common_probe_put(&x->probes, l, pov_add(o, pov_scale(d, 0.5 * (from + s->end[l]))), pov_scale(d, 0.5 * (s->end[l] - from)), 0.0,
+                         true);
+    }
+}
+
+/* Takes answers as long as the next question is among those that have been asked. */
+static bool take_ahead(search *x)
+{
+    stretches *s = &x->s;
+    common_probes *p = &x->probes;
+
+    for (uint32_t l = 0;;) {
+        const double from = s->from[0];
+
+        if (!take(x, 0))
+            return false;
+        l = 2 * l + (s->from[0] == from ? 2 : 1);
+        if (!s->asked[0] || l >= AHEAD || s->from[l] != s->from[0] || s->length[l] != s->length[0])
+            return true;
+        p->square[0] = p->square[l];
+        p->slope[0] = p->slope[l];
+        p->left[0] = p->left[l];
+        p->open[0] = p->open[l];
+        p->sure[0] = p->sure[l];
+    }
+}
+
 /* All rays: as one is done the next takes its lane. */
 static void intersect_some(const common_julia *j, const pov_ray *const *rays, pov_hits *const *hits, uint32_t n)
 {
@@ -397,6 +447,12 @@ static void intersect_some(const common_julia *j, const pov_ray *const *rays, po
         }
         if (x.count == 0)
             return;
+        if (looks_ahead(&x)) {
+            ask_ahead(&x);
+            common_julia_follow(j, j->places, j->reach, &x.probes, AHEAD);
+            x.count = take_ahead(&x);
+            continue;
+        }
         common_julia_follow(j, j->places, j->reach, &x.probes, x.count);
         bits = x.count < COMMON_LEAST ? 0 : take_stretches(j, &x.s, &x.probes);
         for (uint32_t other = ALL << (LANES - x.count) & ~(bits >> LANES) & ALL; other; other &= other - 1) {
