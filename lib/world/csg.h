@@ -81,7 +81,10 @@ typedef struct csg_turned { double all, of_axis; pov_vec3 axis; csg_turned_kind 
 typedef struct csg_outline {
     uint32_t count, member[CSG_COLUMNS];     /* columns: of chords theirs, else the members that are not absent */
     uint32_t hidden, bare;       /* columns, as bits: they are not seen; they are quadrics without slabs, of any kind */
+    uint32_t asked;              /* columns, as bits: members with a box whose crossings no slab or quadric tells */
     bool endless;                /* the tree has no box: errors are in parts of distances */
+    bool is_product;             /* of columns and complements of columns: the tree holds what is in its factors and in no other column */
+    uint32_t factors;            /* then, as bits */
     uint8_t *values;             /* of the tree, by the columns that hold a point, as bits, where there are few; or NULL */
     uint64_t shows[CSG_TABLE_COLUMNS], grows[CSG_TABLE_COLUMNS];   /* then, by column and by the others that hold a point, as the number of
                                   * a bit: does the value change where the column is crossed, and is it larger within? */
@@ -149,6 +152,9 @@ typedef struct csg_source {
 bool csg_find_bounds(csg_tree *t, const env *e, const csg_source *source);
 /* After it: is the tree such an intersection? */
 void csg_find_chords(csg_tree *t);
+/* Is it, whatever its members are, what some of them and the complements of the others have in common? `holds`, with room for
+ * CSG_CHORDS_MAX: is a member no complement? */
+bool csg_is_product(const csg_tree *t, uint8_t *holds);
 /* Or is it one surface that convex solids clip? */
 void csg_find_clipped(csg_tree *t);
 /* Or is it one of few members, whose crossings outlines may tell; or, of some that hold it, whether a ray may meet it? */

@@ -32,20 +32,33 @@ static bool is_simple(const csg_member *m)
     return m->boxed && !m->patch && !csg_is_unseen(m) && (m->shape->flags & POV_SHAPE_CONVEX);
 }
 
-/* Is a node, or its complement, an intersection of members and complements? Sets `holds` of those that are no complements. */
+/* Is a node, or its complement, an intersection of members and complements? */
 static bool add(const csg_tree *t, node_ref node, bool complement, uint8_t *holds)
 {
     const csg_node *n = &t->nodes[node & ~NODE_GROUP];
 
     if (!(node & NODE_GROUP)) {
         holds[node] = t->members[node].inverse == complement;
-        return is_simple(&t->members[node]);
+        return true;
     }
     complement = complement != n->inverse;
     if (n->child_count > 1 && complement == (n->op == NODE_INTERSECTION))
         return false;
     for (uint32_t i = 0; i < n->child_count; i++)
         if (!add(t, t->children[n->child + i], complement, holds))
+            return false;
+    return true;
+}
+
+bool csg_is_product(const csg_tree *t, uint8_t *holds)
+{
+    return t->member_count <= CSG_CHORDS_MAX && add(t, NODE_GROUP, false, holds);
+}
+
+static bool are_simple(const csg_tree *t)
+{
+    for (uint32_t i = 0; i < t->member_count; i++)
+        if (!is_simple(&t->members[i]))
             return false;
     return true;
 }
@@ -63,7 +76,7 @@ void csg_find_chords(csg_tree *t)
     uint8_t holds[CSG_CHORDS_MAX] = { 0 };
     csg_chords *f = &t->chords;
 
-    if (t->few.count == 0 || t->member_count > CSG_CHORDS_MAX || !t->boxed || t->empty || !add(t, NODE_GROUP, false, holds))
+    if (t->few.count == 0 || !t->boxed || t->empty || !csg_is_product(t, holds) || !are_simple(t))
         return;
     for (uint32_t i = 0; i < t->member_count; i++) {
         const uint32_t column = column_of(t, i);

@@ -287,21 +287,21 @@ static bool traverse(csg_traversal *w, pov_hits *hits, bool exact)
     return traverse_once(w, hits, exact);
 }
 
-static bool wants_first(const csg_tree *t, const pov_hits *hits)
-{
-    return !(t->open_count > 0 || hits->always_exact || hits->want == POV_WANT_ALL || hits->tmin != 0.0);
-}
+static bool doubles_will_do(const csg_tree *t, const pov_hits *hits) { return !(t->open_count > 0 || hits->always_exact || hits->tmin != 0.0); }
 
-/* The first crossing, where that is all that is wanted. False: doubles cannot tell, or the tree is another one. */
-static bool find_first(csg_traversal *w, pov_hits *hits)
+static bool wants_first(const csg_tree *t, const pov_hits *hits) { return doubles_will_do(t, hits) && hits->want != POV_WANT_ALL; }
+
+/* What is wanted, in doubles. False: these cannot tell, or the tree is another one. */
+static bool find_in_doubles(csg_traversal *w, pov_hits *hits)
 {
     const csg_tree *t = w->tree;
 
-    if (!wants_first(t, hits))
+    if (!doubles_will_do(t, hits))
         return false;
-    if (t->chords.all)
+    if (t->chords.all && hits->want != POV_WANT_ALL)
         return csg_chords_first(w, hits);
-    return (t->outline && !t->clipped.outlined && csg_sweep_first(w, hits)) || (t->clipped.count > 0 && csg_clipped_first(w, hits));
+    return (t->outline && !t->clipped.outlined && csg_sweep(w, hits)) ||
+           (t->clipped.count > 0 && hits->want != POV_WANT_ALL && csg_clipped_first(w, hits));
 }
 
 void csg_intersect(const void *self, const pov_ray *ray, pov_hits *hits)
@@ -310,8 +310,9 @@ void csg_intersect(const void *self, const pov_ray *ray, pov_hits *hits)
     csg_traversal w;
 
     csg_traversal_init(&w, ((const csg_root *)self)->tree, ray, hits);
-    if (find_first(&w, hits))
+    if (find_in_doubles(&w, hits))
         return;
+    hits->count = count;
     if (!csg_traversal_enters(&w, hits) || traverse(&w, hits, hits->always_exact))
         return;
     if (hits->want == POV_WANT_ALL)

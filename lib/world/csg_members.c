@@ -104,9 +104,8 @@ static bool narrow(double o, double d, double inverse, double lo, double hi, dou
     return *enter <= *leave;
 }
 
-/* May the ray hit the contents of the box before `leave`, and between which distances? The box is widened by more than the slabs
- * are off, which is a few roundings of the largest coordinate. */
-static bool hits_box(const csg_traversal *w, const pov_box *b, double *enter, double *leave)
+/* The box is widened by more than the slabs are off, which is a few roundings of the largest coordinate. */
+bool csg_hits_box(const csg_traversal *w, const pov_box *b, double *enter, double *leave)
 {
     const pov_vec3 o = w->ray->org, d = w->ray->dir;
     const double wide = box_slack * w->size;
@@ -165,7 +164,7 @@ static void push(csg_traversal *w, uint32_t bound)
 {
     double t, leave = HUGE_VAL;
 
-    if (hits_box(w, &w->tree->bounds[bound].box, &t, &leave))
+    if (csg_hits_box(w, &w->tree->bounds[bound].box, &t, &leave))
         insert(w, bound, t);
 }
 
@@ -473,7 +472,7 @@ static void test_endless(csg_traversal *w, bool open, double end)
         const csg_member *m = &t->members[of->member];
         double enter = w->enter, leave = end;
 
-        if (m->open == open && (!of->boxed || hits_box(w, &of->box, &enter, &leave))) {
+        if (m->open == open && (!of->boxed || csg_hits_box(w, &of->box, &enter, &leave))) {
             const stretch in = { enter * (1.0 - beside), leave * (1.0 + beside) };
             const bool is_part = t->boxed && !m->open && !m->patch && m->shape->intersect_between && in.to < HUGE_VAL;
 
@@ -498,7 +497,7 @@ bool csg_traversal_hits_box(csg_traversal *w)
 {
     w->enter = 0.0;
     w->leave = HUGE_VAL;
-    return !w->tree->boxed || hits_box(w, &w->tree->box, &w->enter, &w->leave);
+    return !w->tree->boxed || csg_hits_box(w, &w->tree->box, &w->enter, &w->leave);
 }
 
 bool csg_traversal_enters(csg_traversal *w, const pov_hits *hits)

@@ -159,9 +159,11 @@ static bool add_all(const csg_tree *t, const pov_outline *all, csg_outline *of)
     for (uint32_t i = 0; i < of->count; i++) {
         own_map map;
 
+        of->first_slab[i] = (uint8_t)s;
+        if (of->asked >> i & 1)
+            continue;
         if (!find_map(&t->members[of->member[i]], &all[i], of, &map))
             return false;
-        of->first_slab[i] = (uint8_t)s;
         for (uint32_t k = 0; k < all[i].slabs; k++, s++)
             if (!add_slab(&all[i], (int)k, &map, numbers_of(slabs, SLAB_NUMBERS, s)))
                 return false;
@@ -250,14 +252,21 @@ bool csg_is_small(const csg_tree *t)
     return !t->empty && (held || count <= CSG_TABLE_COLUMNS);
 }
 
-/* What the classes know of the columns. */
-static bool ask_columns(const csg_tree *t, csg_outline *of, pov_outline *all)
+/* What the classes know of the columns. any: others will do that have a box. */
+static bool ask_columns(const csg_tree *t, csg_outline *of, bool any, pov_outline *all)
 {
     for (uint32_t i = 0; i < of->count; i++) {
         const csg_member *m = member_at(t, of, i);
 
-        if (!m->shape->outline || m->open || !m->shape->outline(m->instance, &all[i]))
+        if (m->open)
             return false;
+        if (!m->shape->outline || !m->shape->outline(m->instance, &all[i])) {
+            if (!any || !m->boxed)
+                return false;
+            memset(&all[i], 0, sizeof all[i]);
+            of->asked |= 1u << i;
+            continue;
+        }
         of->within |= (uint32_t)m->needed << i;
         of->convex |= (uint32_t)(m->needed && (!all[i].round || m->shape->flags & POV_SHAPE_CONVEX)) << i;
         of->bare |= (uint32_t)(all[i].round && all[i].slabs == 0) << i;
@@ -268,6 +277,23 @@ static bool ask_columns(const csg_tree *t, csg_outline *of, pov_outline *all)
     of->slabs = (of->slabs + (of->boxed ? 3 : 0) + FOUR - 1) / FOUR * FOUR;
     of->quadrics = (of->quadrics + FOUR - 1) / FOUR * FOUR;
     return true;
+}
+
+/* A factor that is no column is far from the tree: then that is another one. */
+static void find_factors(const csg_tree *t, csg_outline *of)
+{
+    uint8_t holds[CSG_CHORDS_MAX] = { 0 };
+    uint32_t left = 0;
+
+    if (t->clipped.outlined || !csg_is_product(t, holds))
+        return;
+    for (uint32_t i = 0; i < t->member_count; i++)
+        left += holds[i];
+    for (uint32_t i = 0; i < of->count; i++) {
+        of->factors |= (uint32_t)holds[of->member[i]] << i;
+        left -= holds[of->member[i]];
+    }
+    of->is_product = left == 0;
 }
 
 /* Values for all sets of columns, each one that differs from one before it in a single column. False: no memory. */
@@ -329,24 +355,43 @@ static void find_middle(const csg_tree *t, const pov_outline *all, csg_outline *
     of->per_size = 1.0 / of->size;
 }
 
+static void drop_clips(csg_tree *t)
+{
+    t->clipped.outlined = false;
+    t->clipped.count = t->clipped.loose ? 0 : t->clipped.count;
+}
+
 static bool drop_outline(csg_tree *t, const env *e)
 {
     env_free(e, t->outline);
     t->outline = NULL;
-    t->clipped.outlined = false;
-    t->clipped.count = t->clipped.loose ? 0 : t->clipped.count;
+    drop_clips(t);
     return true;
+}
+
+/* Of all members; or of the clips; or of those that have slabs and quadrics. */
+static bool take_columns(csg_tree *t, csg_outline *of, pov_outline *all)
+{
+    static const csg_outline none = { .count = 0 };
+
+    *of = none;
+    if ((find_columns(t, of) && ask_columns(t, of, false, all)) || (take_clips(t, of) && ask_columns(t, of, false, all)))
+        return true;
+    drop_clips(t);
+    *of = none;
+    return !t->chords.all && t->clipped.count == 0 && find_columns(t, of) && ask_columns(t, of, true, all);
 }
 
 bool csg_find_outline(csg_tree *t, const env *e)
 {
-    csg_outline of = { .count = 0 };
     pov_outline all[CSG_COLUMNS];
     size_t numbers;
+    csg_outline of;
 
-    if ((!find_columns(t, &of) || !ask_columns(t, &of, all)) && (!take_clips(t, &of) || !ask_columns(t, &of, all)))
+    if (!take_columns(t, &of, all))
         return drop_outline(t, e);
     find_middle(t, all, &of);
+    find_factors(t, &of);
     if (!(of.per_size > 1e-100 && of.per_size < 1e100))
         return drop_outline(t, e);
     numbers = SLAB_NUMBERS * of.slabs + QUADRIC_NUMBERS * of.quadrics;

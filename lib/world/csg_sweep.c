@@ -1,6 +1,6 @@
-/* The first crossing of a tree of few members, whatever its nodes are, from their outlines: its members' crossings in order, about,
- * and the value of the tree behind each. Where crossings are too close to be told apart and it matters, and where more than the
- * first is wanted, csg_intersect.c has the rules. docs/numerics.md ("Outlines") derives the constants. */
+/* Crossings of a tree of few members, whatever its nodes are, from their outlines: its members' crossings in order, about, and the
+ * value of the tree behind each. Members without an outline are asked for theirs where the ray comes to their boxes. Where crossings are too
+ * close to be told apart and it matters, csg_intersect.c has the rules. docs/numerics.md ("Outlines") derives the constants. */
 #include "base/simd.h"
 #include "world/csg_traversal.h"
 
@@ -8,7 +8,10 @@
 
 static const double margin = CSG_OUTLINE_MARGIN;
 
-typedef struct crossing { double at; uint32_t column; } crossing;
+/* own: where it is among the crossings that are known in full, counted from one; or 0. */
+typedef struct crossing { double at; uint16_t column, own; } crossing;
+
+enum { OWN = 48, MOST_CROSSINGS = 2 * CSG_COLUMNS + OWN };
 
 typedef struct sweep {
     csg_traversal *w;
@@ -17,11 +20,19 @@ typedef struct sweep {
     double from, to;             /* the stretch of the ray, in the outline's units, that the tree's box holds */
     uint32_t holds;              /* columns that hold the ray before the next crossing, as bits */
     uint32_t entered;            /* those by which the states of nodes are, where there is no table of values */
+    uint32_t waiting;            /* columns to be asked where the ray enters their boxes */
+    uint32_t known;              /* columns whose crossings are among `own` */
     bool exact;                  /* crossings are to be found in double-double */
     uint32_t escalated;
-    uint32_t count;
-    crossing at[2 * CSG_COLUMNS];   /* of members, within the stretch, from near to far */
+    uint32_t count, next, own_count;
+    double box[CSG_COLUMNS];     /* of those that wait, where that is */
+    uint8_t own_first[CSG_COLUMNS], own_end[CSG_COLUMNS];
+    crossing at[MOST_CROSSINGS]; /* of members, within the stretch, from near to far */
+    pov_crossing own[OWN];
 } sweep;
+
+/* A crossing of the tree. */
+typedef struct found_crossing { csg_first is; const pov_crossing *own; } found_crossing;
 
 /* Crossings nearer than that to a place cannot be told from it. */
 static double near_by(const sweep *s, double at) { return margin * (s->of->endless ? s->io.from + fabs(at) : 1.0); }
@@ -29,25 +40,39 @@ static double near_by(const sweep *s, double at) { return margin * (s->of->endle
 /* ---- one member ---- */
 
 enum { CROSSINGS = 4 };
-typedef struct asked { pov_crossing at[CROSSINGS]; pov_hits found; } asked;
 
 static const csg_member *member_of(const sweep *s, uint32_t column)
 {
     return &s->w->tree->members[s->of->member[column]];
 }
 
-/* False: it has more crossings ahead than any member. */
-static bool ask(sweep *s, uint32_t column, const pov_hits *hits, asked *out)
+/* All crossings ahead. False: there are too many. */
+static bool ask(sweep *s, uint32_t column, const pov_hits *hits, pov_crossing *at, uint32_t capacity, uint32_t *count)
 {
     const csg_member *m = member_of(s, column);
-    const pov_hits found = { .tmax = HUGE_VAL, .want = POV_WANT_ALL, .at = out->at, .capacity = CROSSINGS, .grow = csg_no_more,
-                             .user = hits->user, .scratch = hits->scratch, .always_exact = s->exact, .unfiltered = hits->unfiltered,
-                             .owner = s->w->scratch->names + m->leaf };
+    pov_hits found = { .tmax = HUGE_VAL, .want = POV_WANT_ALL, .at = at, .capacity = capacity, .grow = csg_no_more, .user = hits->user,
+                       .scratch = hits->scratch, .always_exact = s->exact, .unfiltered = hits->unfiltered,
+                       .owner = s->w->scratch->names + m->leaf };
 
-    out->found = found;
-    csg_intersect_member(s->w, m, &out->found);
-    s->escalated += out->found.escalated;
-    return out->found.count < CROSSINGS;
+    csg_intersect_member(s->w, m, &found);
+    s->escalated += found.escalated;
+    *count = found.count;
+    return found.count < capacity;
+}
+
+/* Once for each column: where its crossings are among `own`. False: there are too many. */
+static bool find_own(sweep *s, uint32_t column, const pov_hits *hits)
+{
+    uint32_t count;
+
+    if (s->known >> column & 1)
+        return true;
+    if (!ask(s, column, hits, s->own + s->own_count, OWN - s->own_count, &count))
+        return false;
+    s->known |= 1u << column;
+    s->own_first[column] = (uint8_t)s->own_count;
+    s->own_end[column] = (uint8_t)(s->own_count += count);
+    return true;
 }
 
 /* Is a crossing so near to the start that doubles do not tell whether it is there? */
@@ -56,51 +81,52 @@ static bool is_at_start(const sweep *s, const pov_crossing *at) { return at->t *
 /* Does the ray certainly start on the member, or beyond it, and cross it nowhere near? */
 static bool is_passed(sweep *s, uint32_t column, const pov_hits *hits)
 {
-    asked a;
-    uint32_t i = 0;
+    pov_crossing at[CROSSINGS];
+    uint32_t count, i = 0;
 
-    if (!ask(s, column, hits, &a))
+    if (!ask(s, column, hits, at, CROSSINGS, &count))
         return false;
-    while (i < a.found.count && !is_at_start(s, &a.at[i]))
+    while (i < count && !is_at_start(s, &at[i]))
         i++;
-    if (i < a.found.count && !s->exact) {
+    if (i < count && !s->exact) {
         s->exact = true;
         return is_passed(s, column, hits);
     }
-    for (i = 0; i < a.found.count; i++)
-        if (!csg_is_behind(s->w, &a.at[i]) && a.at[i].t < 4.0 * near_by(s, s->io.start) * s->io.per_unit)
+    for (i = 0; i < count; i++)
+        if (!csg_is_behind(s->w, &at[i]) && at[i].t < 4.0 * near_by(s, s->io.start) * s->io.per_unit)
             return false;
     return true;
 }
 
 /* The member's own crossing that lies there. NULL: it is not certain that there is one. */
-static const pov_crossing *find_own(sweep *s, const csg_first *f, const pov_hits *hits, asked *a)
+static const pov_crossing *own_at(sweep *s, const csg_first *f, const pov_hits *hits)
 {
     const pov_crossing *found = NULL;
 
-    if (!ask(s, f->column, hits, a))
+    if (!find_own(s, f->column, hits))
         return NULL;
-    for (uint32_t i = 0; i < a->found.count; i++) {
-        const bool there = fabs(a->at[i].t - f->t) <= f->off;
+    for (uint32_t i = s->own_first[f->column]; i < s->own_end[f->column]; i++) {
+        const pov_crossing *at = &s->own[i];
+        const bool there = fabs(at->t - f->t) <= f->off;
 
-        if (is_at_start(s, &a->at[i]) && s->exact && csg_is_behind(s->w, &a->at[i]))
+        if (is_at_start(s, at) && s->exact && csg_is_behind(s->w, at))
             continue;
-        if (is_at_start(s, &a->at[i]) || (there && found))
+        if (is_at_start(s, at) || (there && found))
             return NULL;
-        found = there ? &a->at[i] : found;
+        found = there ? at : found;
     }
     return found;
 }
 
 /* ---- crossings in order ---- */
 
-static void insert(sweep *s, double at, uint32_t column)
+static void insert(sweep *s, double at, uint32_t column, uint32_t own)
 {
     uint32_t i = s->count++;
 
     for (; i > 0 && at < s->at[i - 1].at; i--)
         s->at[i] = s->at[i - 1];
-    s->at[i] = (crossing){ at, column };
+    s->at[i] = (crossing){ at, (uint16_t)column, (uint16_t)own };
 }
 
 static void add(sweep *s, double at, uint32_t column, bool passed)
@@ -108,7 +134,7 @@ static void add(sweep *s, double at, uint32_t column, bool passed)
     if (passed || at < s->from)
         s->holds ^= 1u << column;
     else if (at <= s->to && at < HUGE_VAL)
-        insert(s, at, column);
+        insert(s, at, column, 0);
 }
 
 /* `from`: the column that the ray starts on, one of whose crossings is the start. False: open. */
@@ -142,14 +168,88 @@ static bool is_nowhere(const sweep *s, uint32_t from)
     return enter - near_by(s, enter) > pov_min(leave + near_by(s, leave), s->to) || leave + near_by(s, leave) < s->from;
 }
 
+/* Where the ray enters the box of a column that is to be asked; from a start within the box at once. */
+static void await(sweep *s, uint32_t i)
+{
+    double enter, leave = HUGE_VAL;
+
+    if (!csg_hits_box(s->w, &member_of(s, i)->box, &enter, &leave))
+        return;
+    s->box[i] = s->io.start + enter / s->io.per_unit;
+    s->box[i] -= near_by(s, s->box[i]);
+    s->waiting |= 1u << i;
+}
+
 static bool begin(sweep *s, uint32_t from, const pov_hits *hits)
 {
     s->holds = s->io.outside;
-    s->count = 0;
-    for (uint32_t i = 0; i < s->of->count; i++)
-        if (!add_column(s, i, from, hits))
+    s->count = s->next = s->own_count = s->waiting = s->known = s->entered = 0;
+    for (uint32_t i = 0; i < s->of->count; i++) {
+        if (s->of->asked >> i & 1)
+            await(s, i);
+        else if (!add_column(s, i, from, hits))
             return false;
+    }
     return true;
+}
+
+/* The crossings of a column that was waited for: without any of one that holds the tree there is nothing. False: it is open whether the ray
+ * starts inside. */
+static bool enter_column(sweep *s, uint32_t i, const pov_hits *hits)
+{
+    s->waiting &= ~(1u << i);
+    if (!find_own(s, i, hits))
+        return false;
+    if (s->own_first[i] == s->own_end[i] && member_of(s, i)->needed) {
+        s->waiting = 0;
+        s->count = s->next;
+        return true;
+    }
+    s->holds ^= (uint32_t)((s->own_end[i] - s->own_first[i]) & 1) << i;
+    for (uint32_t k = s->own_first[i]; k < s->own_end[i]; k++) {
+        const double at = s->io.start + s->own[k].t / s->io.per_unit;
+
+        if (is_at_start(s, &s->own[k]))
+            return false;
+        if (at < s->from)
+            s->holds ^= 1u << i;
+        else if (at <= s->to)
+            insert(s, at, i, k + 1);
+    }
+    return true;
+}
+
+/* The first column whose box is entered by there, or CSG_COLUMNS. */
+static uint32_t entered_by(const sweep *s, double by)
+{
+    uint32_t first = CSG_COLUMNS;
+
+    for (uint32_t left = s->waiting; left; left &= left - 1) {
+        const uint32_t i = first_of(left);
+
+        if (s->box[i] <= by) {
+            first = i;
+            by = s->box[i];
+        }
+    }
+    return first;
+}
+
+/* Behind the next crossing and those that are near it. False: open. */
+static bool find_group(sweep *s, const pov_hits *hits, uint32_t *end)
+{
+    for (;;) {
+        uint32_t column;
+
+        *end = s->next + (s->next < s->count);
+        while (*end < s->count && s->at[*end].at - s->at[*end - 1].at <= near_by(s, s->at[*end].at))
+            ++*end;
+        column = entered_by(s, *end > s->next ? s->at[*end - 1].at + near_by(s, s->at[*end - 1].at) : s->to);
+        if (column == CSG_COLUMNS)
+            return true;
+        if (!enter_column(s, column, hits))
+            return false;
+    }
 }
 
 /* ---- the tree's value ---- */
@@ -165,6 +265,8 @@ static void flip(sweep *s, uint32_t columns)
 
 static int32_t value_of(sweep *s, uint32_t holds)
 {
+    if (s->of->is_product)
+        return holds == s->of->factors;
     if (s->of->values)
         return s->of->values[holds];
     flip(s, s->entered ^ holds);
@@ -184,39 +286,38 @@ static bool matters(sweep *s, uint32_t any)
     return false;
 }
 
-static csg_found find(sweep *s, csg_first *out)
+/* The next crossing of the tree. */
+static csg_found find(sweep *s, const pov_hits *hits, found_crossing *out)
 {
-    for (uint32_t i = 0, end; i < s->count; i = end) {
-        uint32_t any = 1u << s->at[i].column, changed = any;
+    for (uint32_t end; ; s->next = end) {
+        const crossing *first = &s->at[s->next];
+        uint32_t any = 0, changed = 0;
+        bool matter;
 
-        for (end = i + 1; end < s->count && s->at[end].at - s->at[end - 1].at <= near_by(s, s->at[end].at); end++) {
-            any |= 1u << s->at[end].column;
-            changed ^= 1u << s->at[end].column;
+        if (!find_group(s, hits, &end))
+            return CSG_OPEN;
+        if (end == s->next)
+            return CSG_NOTHING;
+        for (uint32_t i = s->next; i < end; i++) {
+            any |= 1u << s->at[i].column;
+            changed ^= 1u << s->at[i].column;
         }
-        if (matters(s, any)) {
-            out->column = s->at[i].column;
-            out->inward = value_of(s, s->holds ^ any) > value_of(s, s->holds);
-            out->t = (s->at[i].at - s->io.start) * s->io.per_unit;
-            out->off = near_by(s, s->at[i].at) * s->io.per_unit;
-            return end == i + 1 ? CSG_CROSSED : CSG_OPEN;
+        matter = matters(s, any);
+        if (matter && end > s->next + 1)
+            return CSG_OPEN;
+        if (matter) {
+            out->is.column = first->column;
+            out->is.inward = value_of(s, s->holds ^ any) > value_of(s, s->holds);
+            out->is.t = (first->at - s->io.start) * s->io.per_unit;
+            out->is.off = near_by(s, first->at) * s->io.per_unit;
+            out->own = first->own ? &s->own[first->own - 1] : NULL;
         }
         s->holds ^= changed;
+        if (!matter)
+            continue;
+        s->next = end;
+        return CSG_CROSSED;
     }
-    return CSG_NOTHING;
-}
-
-/* As find(), with room for states. */
-static csg_found search(sweep *s, csg_first *out)
-{
-    csg_found found;
-
-    if (!s->of->values)
-        memcpy(s->w->scratch->states, s->w->tree->outside, s->w->tree->node_count * sizeof *s->w->tree->outside);
-    s->entered = 0;
-    found = find(s, out);
-    for (; s->entered; s->entered &= s->entered - 1)
-        s->w->scratch->inside[s->of->member[first_of(s->entered)]] = 0;
-    return found;
 }
 
 /* ---- what all columns have in common ---- */
@@ -269,23 +370,64 @@ static csg_found find_common(const sweep *s, uint32_t from, csg_first *out)
     return at > s->to ? CSG_NOTHING : CSG_CROSSED;
 }
 
-/* False: its member does not have it. */
-static bool report(sweep *s, const csg_first *f, pov_hits *hits)
+/* False: its member does not have it; `*more`: more is wanted. */
+static bool report(sweep *s, const found_crossing *f, pov_hits *hits, bool *more)
 {
-    const pov_crossing about = { .t = f->t, .owner = s->w->scratch->names + member_of(s, f->column)->leaf }, *at = &about;
-    asked a;
+    const pov_crossing about = { .t = f->is.t, .owner = s->w->scratch->names + member_of(s, f->is.column)->leaf };
+    const pov_crossing *at = f->own ? f->own : csg_first_is_enough(&f->is, hits) ? &about : own_at(s, &f->is, hits);
 
-    if (!csg_first_is_enough(f, hits)) {
-        at = find_own(s, f, hits, &a);
-        if (!at)
-            return false;
-    }
-    hits->escalated += s->escalated;
-    csg_report(at, f->inward, hits);
+    if (!at)
+        return false;
+    *more = csg_report(at, f->is.inward, hits);
     return true;
 }
 
-bool csg_sweep_first(csg_traversal *w, pov_hits *hits)
+/* The first crossing, or all. */
+static bool report_found(sweep *s, pov_hits *hits)
+{
+    bool more = true;
+
+    while (more) {
+        found_crossing f;
+        const csg_found found = find(s, hits, &f);
+
+        if (found == CSG_OPEN || (found == CSG_CROSSED && !report(s, &f, hits, &more)))
+            return false;
+        more = more && found == CSG_CROSSED && hits->want == POV_WANT_ALL;
+    }
+    hits->escalated += s->escalated;
+    return true;
+}
+
+/* As report_found(), with room for states. */
+static bool report_in_order(sweep *s, uint32_t from, pov_hits *hits)
+{
+    bool done;
+
+    if (!begin(s, from, hits))
+        return false;
+    if (!s->of->values && !s->of->is_product)
+        memcpy(s->w->scratch->states, s->w->tree->outside, s->w->tree->node_count * sizeof *s->w->tree->outside);
+    done = report_found(s, hits);
+    for (; s->entered; s->entered &= s->entered - 1)
+        s->w->scratch->inside[s->of->member[first_of(s->entered)]] = 0;
+    return done;
+}
+
+/* The first crossing of what all columns have in common. */
+static bool report_common(sweep *s, const csg_first *first, pov_hits *hits)
+{
+    const found_crossing f = { *first, NULL };
+    bool more;
+
+    s->known = s->own_count = 0;
+    if (!report(s, &f, hits, &more))
+        return false;
+    hits->escalated += s->escalated;
+    return true;
+}
+
+bool csg_sweep(csg_traversal *w, pov_hits *hits)
 {
     const double most = hits->tmax + hits->slack;
     sweep s;
@@ -307,11 +449,8 @@ bool csg_sweep_first(csg_traversal *w, pov_hits *hits)
     s.to += near_by(&s, s.to);
     if (is_nowhere(&s, from))
         return true;
-    found = csg_is_common(w->tree) ? find_common(&s, from, &first) : CSG_OPEN;
-    if (found == CSG_OPEN) {
-        if (!begin(&s, from, hits))
-            return false;
-        found = search(&s, &first);
-    }
-    return found == CSG_NOTHING || (found == CSG_CROSSED && report(&s, &first, hits));
+    found = hits->want != POV_WANT_ALL && csg_is_common(w->tree) ? find_common(&s, from, &first) : CSG_OPEN;
+    if (found == CSG_CROSSED)
+        return report_common(&s, &first, hits);
+    return found == CSG_NOTHING || report_in_order(&s, from, hits);
 }

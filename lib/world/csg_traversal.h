@@ -29,6 +29,8 @@ void csg_traversal_init(csg_traversal *w, const csg_tree *tree, const pov_ray *r
 /* False: the ray passes the tree's box; or the tree before tmax. */
 bool csg_traversal_hits_box(csg_traversal *w);
 bool csg_traversal_enters(csg_traversal *w, const pov_hits *hits);
+/* May the ray hit the contents of a box before `leave`, and between which distances? */
+bool csg_hits_box(const csg_traversal *w, const pov_box *b, double *enter, double *leave);
 /* Where the ray enters and leaves the boxes of few members. */
 void csg_enter_few(const csg_traversal *w, const csg_few *few, double *enter, double *leave);
 /* Begin at the start of the ray, and afterwards clear what members remember. */
@@ -110,8 +112,8 @@ static inline bool csg_is_common(const csg_tree *t)
 
     return of->count == t->member_count && of->within == (1u << of->count) - 1 && !of->hidden;
 }
-/* As csg_chords_first() of any tree with an outline. */
-bool csg_sweep_first(csg_traversal *w, pov_hits *hits);
+/* As csg_chords_first() of any tree with an outline of its own; all crossings, for hits that want these. False: some may have been reported. */
+bool csg_sweep(csg_traversal *w, pov_hits *hits);
 /* Ask a member for its crossings, and count that. */
 void csg_intersect_member(const csg_traversal *w, const csg_member *m, pov_hits *found);
 /* Is a crossing that was found in double-double in the place that the ray starts from, and so behind it? */

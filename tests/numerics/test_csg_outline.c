@@ -21,11 +21,13 @@ typedef struct scene {
     pov_reader *in;
     const transform *map;        /* of most members: then faces of theirs lie on each other */
     bool endless;                /* planes and quadrics too */
+    bool rings;                  /* tori too, which may have no outline */
+    uint32_t material;           /* of all members */
     shape_class surface;         /* of a torus that is no torus of the plugin's */
     side filtered, exact;
     kept of[8];                  /* rays by octant */
 } scene;
-typedef struct tally { long rays, hits, blocked, together; } tally;
+typedef struct tally { long rays, hits, blocked, together, crossed; } tally;
 
 static uint32_t below(uint32_t n) { return (uint32_t)(n * U()); }
 
@@ -101,6 +103,10 @@ static const transform *make_map(model *m)
 
 static void make_any(const scene *s, probe *p)
 {
+    if (s->rings && U() < 0.3) {
+        *p = (probe){ .kind = TORUS, .count = 2, .size = 1.0, .number = { 0.3 + 0.8 * U(), 0.1 + 0.4 * U() } };
+        return;
+    }
     if (!s->endless || U() < 0.6) {
         make_probe(p);
         return;
@@ -122,7 +128,7 @@ static node_ref add_of(scene *s, probe p, const shape_class *shape, const transf
         written.instance_size = shape->parsed_size;
     written.prepare = NULL;
     assert_true(probe_make(&p, &written, s->in, self));
-    return test_add(&s->model, shape, self, map, 0, flags);
+    return test_add(&s->model, shape, self, map, s->material, flags);
 }
 
 static node_ref add_moved(scene *s, probe p, const transform *map, uint32_t flags)
@@ -194,6 +200,18 @@ static void make_any_tree(scene *s)
         children[1] = add_member(s);
     assert_true(model_add_group(&s->model, &all, children, 2, &root));
     assert_true(model_add_tree(&s->model, root));
+}
+
+/* The same with tori, and of glass: light is to be dimmed by every crossing. */
+static void make_glass_tree(scene *s)
+{
+    s->material = test_add_material(&s->model, colour_of(1.0f, 1.0f, 1.0f), 0.5f, 0.0f, true);
+    test_add_light(&s->model, 1.0f);
+    s->rings = U() < 0.7;
+    if (U() < 0.3)
+        make_tree(s);
+    else
+        make_any_tree(s);
 }
 
 /* A box that many planes cut, some of them along its edges or faces; or that and a member or two cut out of it. */
@@ -316,7 +334,7 @@ static void keep(scene *s, const pov_ray *ray, const hit *h, bool met, tally *ou
 static bool compare(const scene *s, const pov_ray *ray, hit *h, tally *out)
 {
     const bool met = test_nearest(s->filtered.world, s->filtered.context, ray, HUGE_VAL, h);
-    uint32_t owners[TEST_CROSSINGS], count;
+    uint32_t owners[TEST_CROSSINGS], count, true_owners[TEST_CROSSINGS], true_count;
     hit truth;
 
     out->rays++;
@@ -329,12 +347,15 @@ static bool compare(const scene *s, const pov_ray *ray, hit *h, tally *out)
     assert_int_equal(h->object, truth.object);
     assert_int_equal(h->entering, truth.entering);
     assert_true(fabs(h->crossing.t - truth.crossing.t) <= 0x1p-49 * truth.crossing.t);
-    for (int i = -1; i <= 1; i++) {
-        const double most = h->crossing.t * (1.0 + i * 1e-6);
+    for (int i = -1; i <= 2; i++) {
+        const double most = h->crossing.t * (i > 1 ? 4.0 : 1.0 + i * 1e-6);
         const bool clear = test_light(s->filtered.world, s->filtered.context, ray, most, owners, &count);
 
-        assert_int_equal(clear, test_light(s->exact.world, s->exact.context, ray, most, owners, &count));
+        assert_int_equal(clear, test_light(s->exact.world, s->exact.context, ray, most, true_owners, &true_count));
+        assert_int_equal(count, true_count);
+        assert_memory_equal(owners, true_owners, sizeof owners);
         out->blocked += !clear;
+        out->crossed += count;
     }
     return true;
 }
@@ -384,7 +405,7 @@ typedef void make_tree_fn(scene *s);
 
 static tally ask_all(make_tree_fn *make)
 {
-    tally all = { 0, 0, 0, 0 };
+    tally all = { .rays = 0 };
 
     families_seed(20261125);
     while (all.rays < rays) {
@@ -397,7 +418,8 @@ static tally ask_all(make_tree_fn *make)
         ask(&s, &all);
         end_scene(&s);
     }
-    print_message("%ld rays, %ld hits, %ld blocked; %ld hits of rays side by side\n", all.rays, all.hits, all.blocked, all.together);
+    print_message("%ld rays, %ld hits, %ld blocked, %ld crossings of light; %ld hits of rays side by side\n", all.rays, all.hits, all.blocked,
+                  all.crossed, all.together);
     return all;
 }
 
@@ -415,6 +437,14 @@ static void outlines_of_any_nodes_find_what_the_walk_finds(void **state)
 
     (void)state;
     assert_true(all.hits > rays / 10 && all.blocked > all.hits / 2);
+}
+
+static void outlines_of_glass_find_what_the_walk_finds(void **state)
+{
+    const tally all = ask_all(make_glass_tree);
+
+    (void)state;
+    assert_true(all.hits > rays / 10 && all.crossed > 2 * all.hits);
 }
 
 static void outlines_of_many_planes_find_what_the_walk_finds(void **state)
@@ -454,7 +484,7 @@ static uint32_t shown_at_half(node_op op, const probe *members)
 {
     const pov_ray ray = { .org = { -1.0, -0.04, -0.08 }, .dir = { 1.0, 0.1, 0.2 }, .origin_surface = POV_NO_OWNER };
     group_node all = { .op = op, .line = 1, .column = 1 };
-    tally out = { 0, 0, 0, 0 };
+    tally out = { .rays = 0 };
     node_ref children[3], root;
     scene s;
     hit h;
@@ -507,7 +537,7 @@ static void what_lies_between_others_has_nothing_in_common(void **state)
     };
     const pov_ray ray = { .org = { 0.1, 0.2, -2.0 }, .dir = { 0.0, 0.0, 1.0 }, .origin_surface = POV_NO_OWNER };
     group_node less = { .op = NODE_DIFFERENCE, .line = 1, .column = 1 };
-    tally out = { 0, 0, 0, 0 };
+    tally out = { .rays = 0 };
     node_ref children[3], root;
     scene s;
     hit h;
@@ -529,6 +559,7 @@ int main(int argc, char **argv)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(outlines_find_what_the_walk_finds),
         cmocka_unit_test(outlines_of_any_nodes_find_what_the_walk_finds),
+        cmocka_unit_test(outlines_of_glass_find_what_the_walk_finds),
         cmocka_unit_test(outlines_of_many_planes_find_what_the_walk_finds),
         cmocka_unit_test(outlines_of_clips_find_what_the_walk_finds),
         cmocka_unit_test(outlines_of_what_cuts_a_surface_find_what_the_walk_finds),
