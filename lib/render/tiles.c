@@ -13,8 +13,8 @@ static size_t count_of(int width, int height, int edge)
 
 static int edge_of(int width, int height, int threads, bool together)
 {
-    /* At the end all threads wait for the last tile: with this many tiles it is a small part of each thread's work. */
-    const size_t many_for_one = together ? 4 : 128;
+    /* At the end all threads wait for the last tile: with this many tiles it is a small part of each thread's work. One waits for none. */
+    const size_t many_for_one = !together ? 128 : threads > 1 ? 4 : 1;
     int edge = together ? TILE_EDGE_MAX : TILE_EDGE_MAX / 2;
 
     while (edge > TILE_EDGE_MIN && count_of(width, height, edge) / many_for_one < (size_t)threads)

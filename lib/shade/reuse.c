@@ -112,7 +112,7 @@ SIMD_CLONES static void add_lamp(const reuse *r, const double *lamp, const pov_b
     }
 }
 
-static void find_densities(const shade_context *c, const reuse *r, weights *w)
+void reuse_find_densities(const shade_context *c, const reuse *r, weights *w)
 {
     const world_lamps *lamps = world_get_lamps(c->scene->world);
 
@@ -323,22 +323,30 @@ void reuse_find_clear(const shade_context *c, const reuse *from, uint32_t start,
 
 static bool is_within(const flats *clear, const flat *f)
 {
-    for (uint32_t i = 0; clear && i < clear->count; i++)
+    for (uint32_t i = 0; i < clear->count; i++)
         if (is_one_side(&clear->of[i], f))
             return true;
     return false;
 }
 
-static void find_clear(const shade_context *c, const flats *all, const flats *joined, const weights *w, clearing *out)
+uint64_t reuse_lanes_within(const flats *some, const flats *clear)
+{
+    uint64_t out = 0;
+
+    for (uint32_t k = 0; k < some->count; k++)
+        if (is_within(clear, &some->of[k]))
+            out |= some->of[k].lanes;
+    return out;
+}
+
+static void find_clear(const shade_context *c, const flats *all, const weights *w, clearing *out)
 {
     out->lanes = 0;
     out->count = 0;
     for (uint32_t k = 0; k < all->count; k++) {
         const flat *f = &all->of[k];
 
-        if (is_within(joined, f)) {
-            out->lanes |= f->lanes;
-        } else if (any_sees(f, w) && is_clear(c, f, w)) {
+        if (any_sees(f, w) && is_clear(c, f, w)) {
             out->lanes |= f->lanes;
             out->parts[out->count++] = f->lanes;
         }
@@ -356,55 +364,98 @@ static uint32_t first_facing(const weights *w, uint64_t lanes)
     return POV_NO_OWNER;
 }
 
+static uint64_t facing_lanes(const weights *w)
+{
+    uint64_t out = 0;
+
+    for (uint32_t i = w->from; i < w->to; i++)
+        out |= (uint64_t)(w->kernel[i] > 0.0) << i;
+    return out;
+}
+
 static void hide(weights *w, uint64_t lanes)
 {
     for (; lanes; lanes &= lanes - 1)
         w->kernel[first_of64(lanes)] = w->density[first_of64(lanes)] = 0.0;
 }
 
-/* Rays to the sky from clear parts: one of each stands for all of them. Lanes that need not be asked. */
-static uint64_t leave_first(const weights *w, const clearing *clear, uint32_t own)
+static void ask(reuse *r, weights *w, uint32_t i, uint64_t lanes, asking *out)
 {
-    uint64_t out = clear->lanes;
+    out->rays[out->count] = aim(r, w, i);
+    out->of[out->count] = w;
+    out->lanes[out->count++] = lanes;
+}
 
+bool reuse_send(shade_context *c, asking *a)
+{
+    const weights *w = a->of[0];
+    const uint32_t n = a->count;
+    uint64_t hidden;
+
+    if (n == 0)
+        return true;
+    hidden = ~query_visible(c->scene->world, c->context, a->rays, n, w->found == REUSE_SKY ? HUGE_VAL : nearly, end_of(w));
+    c->counts.shadow += n;
+    for (hidden &= lane_mask_all(n); hidden; hidden &= hidden - 1)
+        hide(a->of[first_of64(hidden)], a->lanes[first_of64(hidden)]);
+    a->count = 0;
+    return !interrupt_is_due(&c->interrupt, n);
+}
+
+/* Rays to the sky from clear parts: one of each stands for all of them. False: given up. */
+static bool ask_parts(shade_context *c, reuse *r, uint32_t own, const clearing *clear, weights *w, asking *out)
+{
     for (uint32_t k = 0; w->found == REUSE_SKY && k < clear->count; k++) {
         const uint32_t first = first_facing(w, clear->parts[k]);
 
-        if (first != POV_NO_OWNER && !(own < 64 && clear->parts[k] >> own & 1))
-            out &= ~((uint64_t)1 << first);
+        if (first == POV_NO_OWNER || (own < 64 && clear->parts[k] >> own & 1))
+            continue;
+        if (out->count == WORLD_MANY && !reuse_send(c, out))
+            return false;
+        ask(r, w, first, clear->parts[k], out);
     }
-    return out;
+    return true;
 }
 
-/* Leave the kernels and densities of those that see what the ray `own` found. False: given up. */
-static bool hide_some(shade_context *c, reuse *r, uint32_t own, const clearing *clear, weights *w)
+/* One of some lanes, by chance. */
+static uint32_t pick(uint64_t lanes, uint64_t bits)
 {
-    const pov_ray *rays[WORLD_MANY];
-    uint8_t of[WORLD_MANY];
-    const bool is_sky = w->found == REUSE_SKY;
-    uint64_t open = lane_mask_all(w->to) & ~(lane_mask_all(w->from) | leave_first(w, clear, own));
-    uint64_t seen, hidden = 0;
-    uint32_t n = 0;
+    for (uint32_t n = (uint32_t)((bits & UINT32_MAX) * lane_mask_count(lanes) >> 32); n > 0; n--)
+        lanes &= lanes - 1;
+    return first_of64(lanes);
+}
 
-    for (; open; open &= open - 1) {
-        const uint32_t i = first_of64(open);
+/* Who is drawn does not depend on what is known. */
+bool reuse_ask(shade_context *c, reuse *r, uint32_t own, uint64_t known, const sharing *s, weights *w, asking *out)
+{
+    uint64_t facing = facing_lanes(w), bits = s->bits;
 
-        if (i != own && w->kernel[i] > 0.0) {
-            rays[n] = aim(r, w, i);
-            of[n++] = (uint8_t)i;
-        }
+    while (facing) {
+        const uint32_t first = first_of64(facing);
+        const uint64_t lanes = s->alike ? facing & s->alike[first] : (uint64_t)1 << first;
+        const uint32_t one = pick(lanes, bits);
+
+        facing &= ~lanes;
+        bits = bits >> 5 | bits << 59;
+        if ((own < 64 && lanes >> own & 1) || known >> one & 1)
+            continue;
+        if (out->count == WORLD_MANY && !reuse_send(c, out))
+            return false;
+        ask(r, w, one, lanes, out);
     }
-    if (n == 0)
-        return true;
-    seen = query_visible(c->scene->world, c->context, rays, n, is_sky ? HUGE_VAL : nearly, end_of(w));
-    c->counts.shadow += n;
-    for (uint32_t k = 0; k < n; k++)
-        if (!(seen >> k & 1))
-            hidden |= (uint64_t)1 << of[k];
-    for (uint32_t k = 0; is_sky && k < clear->count; k++)
-        hidden |= hidden & clear->parts[k] ? clear->parts[k] : 0;
-    hide(w, hidden);
-    return !interrupt_is_due(&c->interrupt, n);
+    return true;
+}
+
+/* Those of a set that see it keep their kernels. False: given up. */
+static bool hide_some(shade_context *c, reuse *r, const flats *all, uint32_t own, weights *w)
+{
+    const sharing none = { NULL, 0 };
+    clearing clear;
+    asking asked;
+
+    asked.count = 0;
+    find_clear(c, all, w, &clear);
+    return ask_parts(c, r, own, &clear, w, &asked) && reuse_ask(c, r, own, clear.lanes, &none, w, &asked) && reuse_send(c, &asked);
 }
 
 /* ---- weights of a place ---- */
@@ -424,15 +475,6 @@ void reuse_find_kernels(const reuse *r, weights *w)
         find_sky_kernels(r, w);
     else
         find_kernels(r, w);
-}
-
-bool reuse_find_densities(shade_context *c, reuse *r, const flats *all, uint32_t own, const flats *joined, weights *w)
-{
-    clearing clear;
-
-    find_densities(c, r, w);
-    find_clear(c, all, joined, w, &clear);
-    return hide_some(c, r, own, &clear, w);
 }
 
 /* ---- sums ---- */
@@ -465,7 +507,8 @@ static void spread_one(shade_context *c, power_sum *sum, const flats *all_flats,
         add(sum, own, seen, (double)r->by[own]);
         return;
     }
-    if (!reuse_find_densities(c, r, all_flats, own, NULL, &w))
+    reuse_find_densities(c, r, &w);
+    if (!hide_some(c, r, all_flats, own, &w))
         return;
     for (uint32_t i = from; i < to; i++)
         all += w.density[i];

@@ -52,6 +52,12 @@ typedef struct flat { pov_vec3 normal, corner[4]; uint32_t object; bool outside;
 enum { FLATS_MAX = 4 };
 typedef struct flats { uint32_t count; flat of[FLATS_MAX]; } flats;
 
+/* Rays to a place, each for some lanes of its weights. */
+typedef struct asking { uint32_t count; const pov_ray *rays[WORLD_MANY]; weights *of[WORLD_MANY]; uint64_t lanes[WORLD_MANY]; } asking;
+
+/* By start, those that lie so near that one of them, drawn by chance, asks for all; NULL: each asks. */
+typedef struct sharing { const uint64_t *alike; uint64_t bits; } sharing;
+
 /* Note the n-th start, which is origin i of a batch, and the lamps above it. */
 void reuse_put(reuse *r, uint32_t n, const batch *from, uint32_t i, const guide_views *above, uint32_t lamps);
 void reuse_find_flats(const reuse *r, uint32_t from, uint32_t to, flats *out);
@@ -63,9 +69,15 @@ void reuse_begin(const reuse *r, uint32_t lane, weights *w);
 void reuse_find_kernels(const reuse *r, weights *w);
 /* Of joined parts keep those of which one look tells that nothing lies before the place. start: where the ray that found it is from. */
 void reuse_find_clear(const shade_context *c, const reuse *from, uint32_t start, const flats *joined, const weights *w, flats *out);
-/* Then the densities, and none of both where the place is hidden; it is not from start `own`, whose ray found it. clear: joined parts
- * from where it is not, or NULL. False: given up. */
-bool reuse_find_densities(shade_context *c, reuse *r, const flats *all, uint32_t own, const flats *clear, weights *w);
+/* And the densities. */
+void reuse_find_densities(const shade_context *c, const reuse *r, weights *w);
+/* The lanes of parts that lie in clear ones. */
+uint64_t reuse_lanes_within(const flats *some, const flats *clear);
+/* Ask for starts that see the place if nothing is before it, but for `own`, whose ray found it, and for what is known. They are asked by
+ * reuse_send(), if not before. False: given up. */
+bool reuse_ask(shade_context *c, reuse *r, uint32_t own, uint64_t known, const sharing *s, weights *w, asking *out);
+/* Leave no kernels and densities of starts that the place, one for all of them, is hidden from. False: given up. */
+bool reuse_send(shade_context *c, asking *a);
 
 /* Is there a path whose set may use what others find? */
 bool reuse_is_possible(const shade_context *c);

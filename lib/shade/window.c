@@ -1,5 +1,6 @@
 #include "shade/window.h"
 
+#include "base/lane_mask.h"
 #include "base/simd.h"
 #include "shade/gather.h"
 #include "shade/reuse.h"
@@ -16,6 +17,7 @@ typedef struct block {
     uint8_t pixel[PIXELS], start_of[PIXELS];   /* by start, its place in the block; and by place, NONE: it has none */
     bool hollow[PIXELS];         /* by start: it always sends a ray */
     double chance[PIXELS];       /* of a start to send one */
+    uint64_t alike[WINDOW_CELL][PIXELS];   /* by start, those that one of them asks for what they see; itself is one */
     path paths[PIXELS];
     uint64_t samples[PIXELS];    /* the random numbers of their pixels */
     uint64_t key;                /* and those of the block */
@@ -164,10 +166,9 @@ static bool are_facing(const reuse *r, uint32_t i, uint32_t k)
     return there > 0.0 && back > 0.0 && there * back > least * pov_dot(d, d);
 }
 
-/* Does a start lie on a surface that another one goes on with? */
-static bool are_alike(const reuse *r, uint32_t i, uint32_t k)
+/* Does a start lie on a surface that another one goes on with? least: the cosine between both; most: the sine of the way. */
+static bool are_alike(const reuse *r, uint32_t i, uint32_t k, double least, double most)
 {
-    const double least = 0.7, most = 0.5;
     const pov_vec3 d = pov_sub(lanes_at(&r->start, k), lanes_at(&r->start, i)), face = lanes_at(&r->face, i);
 
     return pov_dot(face, lanes_at(&r->face, k)) > least && fabs(pov_dot(d, face)) <= most * sqrt(pov_dot(d, d));
@@ -189,7 +190,7 @@ static bool is_hollow(const block *b, uint32_t start)
                 continue;
             if (are_facing(&b->starts, start, other))
                 return true;
-            if (cell_of(b, start) == cell_of(b, other) && are_alike(&b->starts, start, other))
+            if (cell_of(b, start) == cell_of(b, other) && are_alike(&b->starts, start, other, 0.7, 0.5))
                 alone = false;
         }
     return alone;
@@ -206,6 +207,55 @@ static void find_chances(block *b)
     }
     for (uint32_t i = 0; i < b->count; i++)
         b->chance[i] = b->hollow[i] ? 1.0 : 1.0 / count[cell_of(b, i)];
+}
+
+static uint8_t start_at(const block *b, int x, int y)
+{
+    return x < 0 || y < 0 || x >= WINDOW_BLOCK || y >= WINDOW_BLOCK ? NONE : b->start_of[y * WINDOW_BLOCK + x];
+}
+
+/* Are all beside it in the block on one surface with a start? At its edges something else may be near that hides much from some. */
+static bool goes_on(const block *b, uint32_t start)
+{
+    const int x = b->pixel[start] % WINDOW_BLOCK, y = b->pixel[start] / WINDOW_BLOCK;
+    const double least = 0.95, most = 0.25;
+
+    for (int v = y > 0 ? y - 1 : 0; v <= y + 1 && v < WINDOW_BLOCK; v++)
+        for (int u = x > 0 ? x - 1 : 0; u <= x + 1 && u < WINDOW_BLOCK; u++) {
+            const uint8_t other = start_at(b, u, v);
+
+            if (other == NONE || (other != start && !are_alike(&b->starts, start, other, least, most)))
+                return false;
+        }
+    return true;
+}
+
+/* Within surfaces the starts of a square of the size of a cell ask together who sees a place. The squares are cells or lie across the
+ * corners of cells, by chance: so each start has as much of the squares' others on one side as on the other. */
+static uint64_t find_alike(const block *b, uint32_t start, int shift, uint64_t within)
+{
+    const int left = (b->pixel[start] % WINDOW_BLOCK + shift) / WINDOW_CELL * WINDOW_CELL - shift;
+    const int top = (b->pixel[start] / WINDOW_BLOCK + shift) / WINDOW_CELL * WINDOW_CELL - shift;
+    uint64_t out = 0;
+
+    for (int i = 0; within >> start & 1 && i < WINDOW_CELL * WINDOW_CELL; i++) {
+        const uint8_t other = start_at(b, left + i % WINDOW_CELL, top + i / WINDOW_CELL);
+
+        if (other != NONE)
+            out |= within & (uint64_t)1 << other;
+    }
+    return out | (uint64_t)1 << start;
+}
+
+static void find_groups(block *b)
+{
+    uint64_t within = 0;
+
+    for (uint32_t i = 0; i < b->count; i++)
+        within |= (uint64_t)(!b->hollow[i] && goes_on(b, i)) << i;
+    for (int shift = 0; shift < WINDOW_CELL; shift++)
+        for (uint32_t i = 0; i < b->count; i++)
+            b->alike[shift][i] = find_alike(b, i, shift, within);
 }
 
 void windows_add(windows *w, pov_tracer *t, int column, int row, uint32_t n, const pov_ray *rays, unsigned known, const sample_id *samples,
@@ -234,6 +284,7 @@ void windows_add(windows *w, pov_tracer *t, int column, int row, uint32_t n, con
                 add_start(at, c, b, i, pixels[b->paths[i].lane]);
     }
     find_chances(at);
+    find_groups(at);
     reuse_find_flats(&at->starts, 0, at->count, &at->flats);
 }
 
@@ -307,11 +358,23 @@ static bool shares_window(const windows *w, int column, int row, int right, int 
     return false;
 }
 
+/* Who of a block sees what the ray found? clear: parts from where it is not hidden. False: given up. */
+static bool inquire(const windows *w, shade_context *c, uint32_t ray, block *b, const flats *clear, weights *at, asking *asked)
+{
+    const uint64_t key = random_turn(b->key, (uint32_t)w->samples[ray].pixel);
+    const sharing s = { b->alike[w->samples[ray].pixel >> 32 & 1], key };
+    const uint32_t own = b == w->from.of[ray] ? w->from.start[ray] : UINT32_MAX;
+
+    reuse_find_densities(c, &b->starts, at);
+    return reuse_ask(c, &b->starts, own, reuse_lanes_within(&b->flats, clear), &s, at, asked);
+}
+
 /* False: it counts for none, or given up. */
 static bool weigh(windows *w, shade_context *c, uint32_t ray, finding *f)
 {
     const uint32_t start = w->from.start[ray];
     block *own = w->from.of[ray], *blocks[9];
+    asking asked;
     flats clear;
 
     for (int i = 0; i < 9; i++) {
@@ -330,11 +393,11 @@ static bool weigh(windows *w, shade_context *c, uint32_t ray, finding *f)
     if (!(f->of[1][1].kernel[start] > 0.0))
         return false;
     reuse_find_clear(c, &own->starts, start, &own->around, &f->of[1][1], &clear);
+    asked.count = 0;
     for (int i = 0; i < 9; i++)
-        if (blocks[i] && !reuse_find_densities(c, &blocks[i]->starts, &blocks[i]->flats, blocks[i] == own ? start : UINT32_MAX, &clear,
-                                               &f->of[i / 3][i % 3]))
+        if (blocks[i] && !inquire(w, c, ray, blocks[i], &clear, &f->of[i / 3][i % 3], &asked))
             return false;
-    return true;
+    return reuse_send(c, &asked);
 }
 
 /* How densely rays of a block come to the place. */

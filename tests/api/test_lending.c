@@ -3,6 +3,7 @@
 #include "support/near.h"
 #include "support/scenes.h"
 
+#include <math.h>
 #include <stdlib.h>
 
 enum { EDGE = 96, SQUARE = 8, SAMPLES = 16 };
@@ -126,6 +127,34 @@ static void near_a_wall_there_is_half_of_its_light(void **state)
         assert_near(columns[x], 0.5, 0.01);
 }
 
+/* Beside a long black wall, under a sky of 1, which is hidden up to the wall's top. One pixel asks for a few beside it who sees what: so a
+ * pixel has some of their light, as much from each side but for those next to the wall. */
+static void beside_a_wall_pixels_have_their_own_light(void **state)
+{
+    enum { ROUNDS = 256, WIDE = 24 };
+    static const char wall[] =
+        "#version 3.7; global_settings { assumed_gamma 1 radiosity { recursion_limit 1 } }\n"
+        "camera { orthographic location <.625, 2, 0> right x * 1.5 up z * 1.5 direction -y }\n"
+        "background { rgb 1 }\n"
+        "box { <-1, 0, -100>, <0, .125, 100> pigment { rgb 0 } }\n"
+        "plane { y, 0 pigment { rgb 1 } finish { ambient 0 diffuse 1 } }\n";
+    double columns[WIDE] = { 0 };
+
+    (void)state;
+    for (unsigned round = 0; round < ROUNDS; round++) {
+        float *rgba = draw(wall, WIDE, 1, round, 2);
+
+        for (int i = 0; i < WIDE * WIDE; i++)
+            columns[i % WIDE] += (double)rgba[4 * i] / (WIDE * ROUNDS);
+        free(rgba);
+    }
+    for (int i = 2; i < WIDE; i++) {
+        const double x = (i - 1.5) / 16.0;
+
+        assert_near(columns[i], (1.0 + x / sqrt(x * x + 1.0 / 64.0)) / 2.0, i < 5 ? 0.025 : 0.007);
+    }
+}
+
 /* The mean over squares of pixels, from first samples that lend to all around and from many, of which few do. */
 static void first_samples_have_the_mean_of_many(void **state)
 {
@@ -169,6 +198,7 @@ int main(void)
         cmocka_unit_test(what_pixels_lend_is_not_seen_as_squares),
         cmocka_unit_test(the_light_of_first_samples_has_no_steps),
         cmocka_unit_test(near_a_wall_there_is_half_of_its_light),
+        cmocka_unit_test(beside_a_wall_pixels_have_their_own_light),
         cmocka_unit_test(first_samples_have_the_mean_of_many),
         cmocka_unit_test(tiles_change_no_bit),
     };
