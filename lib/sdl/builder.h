@@ -85,6 +85,6 @@ const local *builder_find_local(const builder *b, const symbol *name);
 /* `#local NAME = E;` is next in a macro's body. */
 void builder_local(builder *b);
 /* The macro's name has been taken: its value. */
-term builder_insert(builder *b, symbol *name, const macro *m);
+term builder_insert(builder *b, symbol *name, macro *m);
 
 #endif

@@ -72,21 +72,20 @@ static int read_arguments(builder *b, const macro *m, term *out)
     return i;
 }
 
-term builder_insert(builder *b, symbol *name, const macro *m)
+term builder_insert(builder *b, symbol *name, macro *m)
 {
     const calc_name n = { name, VALUE_MACRO, false, 0, m->number, m };
     term arguments[BUILDER_LOCALS];
-    stream body = { m->tokens->items, m->start, m->end, b->locals, b->locals + m->count };
+    stream body;
     int i, count;
 
     builder_name(b, n);
-    if (b->s + 1 == b->streams + BUILDER_STREAMS || m->count > BUILDER_LOCALS)
+    if (b->s + 1 == b->streams + BUILDER_STREAMS || m->count > BUILDER_LOCALS || !macro_lex(b->in, m))
         return builder_refuse(b);
     count = read_arguments(b, m, arguments);
     if (b->is_refused)
         return builder_refuse(b);
-    body.locals = b->locals;
-    body.parameters = b->locals + count;
+    body = (stream){ m->tokens->items, m->start, m->end, b->locals, b->locals + count };
     for (i = 0; i < count; i++)
         add_local(b, m->parameters[i], arguments[i]);
     *++b->s = body;

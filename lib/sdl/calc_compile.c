@@ -109,7 +109,7 @@ static term builder_word(builder *b, symbol *name)
     if (name->intrinsic)
         return builder_function(b, name->intrinsic);
     if (name->binding && name->binding->slot->kind == VALUE_MACRO)
-        return builder_insert(b, name, (const macro *)name->binding->slot->as.shared);
+        return builder_insert(b, name, (macro *)name->binding->slot->as.shared);
     return name->binding ? identifier(b, name) : builder_refuse(b);
 }
 

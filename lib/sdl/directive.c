@@ -179,6 +179,8 @@ token directive_skip(pov_reader *in, const place *at, size_t depth, bool stops_a
     token t;
 
     for (;;) {
+        if (!is_directive && in->top->text && !in->top->has_saved)
+            lex_skip(in->top->text);
         frame_fetch(in, &t);
         if (t.kind == TOKEN_LEAVE && in->top->kind == FRAME_INCLUDE) {
             frame_pop(in);

@@ -113,7 +113,7 @@ void frame_save(pov_reader *in)
     in->top->has_saved = true;
 }
 
-token_buffer *frame_capture(pov_reader *in, const place *at, bool is_open)
+token_buffer *frame_capture(pov_reader *in)
 {
     token_buffer *b = token_buffer_create(&in->buffers);
     bool is_directive = false;
@@ -122,15 +122,9 @@ token_buffer *frame_capture(pov_reader *in, const place *at, bool is_open)
 
     while (b && depth > 0) {
         frame_fetch(in, &t);
-        if (t.kind == TOKEN_BAD && !t.fault)
-            break;
-        if (t.kind == TOKEN_END || t.kind == TOKEN_LEAVE) {
-            if (is_open)
-                return b;
-            report_fail(in, at, POV_E_SYNTAX, "there is no \"#end\" for this");
-            break;
-        }
-        if (!token_buffer_add(&in->buffers, b, &t))
+        if (t.kind == TOKEN_END || t.kind == TOKEN_LEAVE)
+            return b;
+        if ((t.kind == TOKEN_BAD && !t.fault) || !token_buffer_add(&in->buffers, b, &t))
             break;
         if (is_directive)
             depth += (size_t)directive_nesting(&t);

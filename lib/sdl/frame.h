@@ -16,8 +16,8 @@ void frame_pop(pov_reader *in);
 void frame_fetch(pov_reader *in, token *out);
 /* The reader's token is to come again when the innermost frame is read next. */
 void frame_save(pov_reader *in);
-/* Tokens up to the #end that belongs to what began before, which is the last of them, into a buffer of their own. Where
- * the text is over before, that is an error, or, if `is_open`, what there is. NULL: the reader has failed. */
-token_buffer *frame_capture(pov_reader *in, const place *at, bool is_open);
+/* Tokens up to the #end that belongs to what began before, or to the end of the text, into a buffer of their own. NULL: no
+ * memory, and the reader has failed. */
+token_buffer *frame_capture(pov_reader *in);
 
 #endif

@@ -227,8 +227,9 @@ static source *add_text(pov_reader *in, char *text, size_t length, const char *n
     return s;
 }
 
-/* Files that are included again and equal what they were are read as tokens, but for very large ones. */
-enum { REPLAYED_MAX = 1 << 22 };
+/* Files that are included often and equal what they were are read as tokens, but for very large ones. Few times are those of files
+ * that guard themselves: their text is skipped sooner than it becomes tokens. */
+enum { REPLAYED_MAX = 1 << 22, READ_AGAIN_MAX = 4 };
 
 static source *find_same(const pov_reader *in, const char *text, size_t length, const char *name)
 {
@@ -274,9 +275,10 @@ static token_buffer *lex_whole(pov_reader *in, const source *s)
 
 static frame *push_again(pov_reader *in, source *s)
 {
-    if (s->end - s->owned > REPLAYED_MAX) {
+    if (s->end - s->owned > REPLAYED_MAX || s->again < READ_AGAIN_MAX) {
         source *fresh = begin_again(in, s);
 
+        s->again++;
         return fresh ? frame_push_text(in, FRAME_INCLUDE, fresh) : NULL;
     }
     if (!s->tokens)

@@ -5,7 +5,7 @@
 
 #include <string.h>
 
-enum { ODD, BLANK, LINE, DIGIT, LETTER, PUNCT, QUOTE };
+enum { ODD, BLANK, DIGIT, LETTER, LINE, PUNCT, QUOTE };
 
 /* One class a byte, so that each byte is looked at once. ODD: has no business outside of comments and
  * strings. */
@@ -277,6 +277,29 @@ void lex_next(symbols *words, source *s, token *t)
         lex_behind(words, s, t);
     else
         lex_token(words, s, t, class);
+}
+
+static bool is_comment(const source *s)
+{
+    return *s->at == '/' && s->at + 1 < s->end && (s->at[1] == '/' || s->at[1] == '*');
+}
+
+void lex_skip(source *s)
+{
+    token unused;
+
+    while (s->at < s->end && *s->at != '#') {
+        const int class = class_at(s->at);
+
+        if (class == LINE)
+            take_line_end(s);
+        else if (class == QUOTE)
+            lex_string(s, &unused);
+        else if (class == PUNCT && is_comment(s))
+            skip_blanks(s, &unused.at);
+        else
+            s->at++;
+    }
 }
 
 /* ---- what stands between quotes ---- */

@@ -8,13 +8,13 @@
 #include "sdl/report.h"
 
 /* Of a text that is being lexed the whole loop becomes tokens, which are read instead. */
-static bool keep_tokens(pov_reader *in, const place *at)
+static bool keep_tokens(pov_reader *in)
 {
     token_buffer *b;
 
     if (!in->top->text)
         return !in->failed;
-    b = frame_capture(in, at, true);
+    b = frame_capture(in);
     if (!b)
         return false;
     frame_push_tokens(in, FRAME_LOOP, b, 0, b->count);
@@ -59,7 +59,7 @@ static void turn_or_leave(pov_reader *in, bool holds)
 
 void loop_while(pov_reader *in, const place *at)
 {
-    if (keep_tokens(in, at) && open(in, CONDITION_WHILE, at))
+    if (keep_tokens(in) && open(in, CONDITION_WHILE, at))
         turn_or_leave(in, condition_holds(in));
 }
 
@@ -99,7 +99,7 @@ void loop_for(pov_reader *in, const place *at)
     condition c = none;
     double first = 0.0;
 
-    if (!keep_tokens(in, at))
+    if (!keep_tokens(in))
         return;
     read_range(in, &c, &first);
     if (in->failed || !open(in, CONDITION_FOR, at))

@@ -33,12 +33,60 @@ static int read_parameters(pov_reader *in, symbol **out)
     return n;
 }
 
+/* Most macros of included files are never called: their bodies stay text. */
+static void skip_body(pov_reader *in, macro *m)
+{
+    source *text = in->top->text;
+    bool is_directive = false;
+    size_t depth = 1;
+    token t;
+
+    m->text = text;
+    m->begin = *text;
+    while (depth > 0 && !in->failed) {
+        if (!is_directive)
+            lex_skip(text);
+        lex_next(&in->words, text, &t);
+        if (t.kind == TOKEN_END)
+            report_fail(in, &m->at, POV_E_SYNTAX, "there is no \"#end\" for this");
+        else if (is_directive)
+            depth += (size_t)directive_nesting(&t);
+        is_directive = t.kind == '#';
+    }
+    m->behind = text->at;
+}
+
+bool macro_lex(pov_reader *in, macro *m)
+{
+    source *text = m->text, now;
+    token_buffer *b;
+    token t;
+
+    if (m->tokens)
+        return true;
+    now = *text;
+    *text = m->begin;
+    b = token_buffer_create(&in->buffers);
+    while (b && text->at < m->behind) {
+        lex_next(&in->words, text, &t);
+        if ((t.kind == TOKEN_BAD && !t.fault) || !token_buffer_add(&in->buffers, b, &t)) {
+            token_buffer_release(&in->buffers, b);
+            b = NULL;
+        }
+    }
+    *text = now;
+    m->tokens = b;
+    m->end = b ? b->count - 2 : 0;
+    if (!b)
+        report_memory(in);
+    return b;
+}
+
 /* The body is what stands up to the #end that belongs to it. */
 static void find_body(pov_reader *in, macro *m)
 {
     if (in->top->text) {
-        m->tokens = frame_capture(in, &m->at, false);
-        m->end = m->tokens ? m->tokens->count - 2 : 0;
+        skip_body(in, m);
         return;
     }
     m->tokens = in->top->tokens;
@@ -189,11 +237,11 @@ static void bind(pov_reader *in, const macro *m, size_t base)
     }
 }
 
-static void begin(pov_reader *in, const symbol *name, const macro *m, size_t base, const place *call)
+static void begin(pov_reader *in, const symbol *name, macro *m, size_t base, const place *call)
 {
     frame *f;
 
-    if (in->failed || !scope_push(in))
+    if (in->failed || !macro_lex(in, m) || !scope_push(in))
         return;
     bind(in, m, base);
     f = in->failed ? NULL : frame_push_tokens(in, FRAME_MACRO, m->tokens, m->start, m->end);
@@ -207,7 +255,7 @@ void macro_call(pov_reader *in)
 {
     symbol *name = in->token.symbol;
     value v = value_keep(*name->binding->slot);
-    const macro *m = (const macro *)v.as.shared;
+    macro *m = (macro *)v.as.shared;
     const size_t base = in->arguments.count;
     const place call = in->token.at;
 

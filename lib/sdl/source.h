@@ -12,7 +12,8 @@ typedef struct source {
     const char *line_start;
     int line;
     char *owned;                 /* text and name of an included file; NULL: another's, which outlive the source */
-    struct token_buffer *tokens; /* of a file that was included again; NULL: not yet */
+    struct token_buffer *tokens; /* of a file that is included often; NULL: not yet */
+    int again;                   /* how often its text was read after the first time */
 } source;
 
 typedef struct source_list {

@@ -131,6 +131,26 @@ static void macros_give_and_take(void **state)
     assert_radius("#declare A = array[1] { 5 }; #macro M() A[0] #end #declare Q = M(); sphere { 0, Q }", 5);
 }
 
+static void bodies_of_macros_wait_as_text(void **state)
+{
+    reading r;
+
+    (void)state;
+    assert_radius("#macro M() #macro N() 5 #end N() #end #macro P() M() #end sphere { 0, P() }", 5);
+    assert_radius("#macro M() #macro M() 2 #end 3 #end sphere { 0, M() + M() }", 5);
+    assert_radius("#macro M() \"#end\" /* #end */ // #end\n #if (0) #end 1 #end #declare N = 3; sphere { 0, N }", 3);
+    assert_radius("#macro M(A) A + 1 #end #declare F = M(1); #for (I,1,3) #declare F = F + M(I); #end sphere { 0, F }", 11);
+    assert_radius("#macro Never() @ \xC3\xA9 1.2.3 #nothing { #end sphere { 0, 4 }", 4);
+    reading_begin(&r, "#macro In()\n\n oops #end\n\nsphere { 0, 1 }\nsphere { 0, In() }");
+    assert_int_equal(r.error.line, 3);
+    assert_int_equal(r.error.column, 2);
+    reading_end(&r);
+    reading_begin(&r, "#declare R = 1;\n #macro In() #if (1) #end \"#end\"");
+    assert_string_equal(r.error.message, "there is no \"#end\" for this");
+    assert_int_equal(r.error.line, 2);
+    reading_end(&r);
+}
+
 static void scopes_end_with_their_macro(void **state)
 {
     static const double radii[] = { 5, 6, 1 };
@@ -279,6 +299,8 @@ static void a_file_that_is_included_again_is_read_again(void **state)
                  " #fopen F \"t.inc\" write #write (F, \"sphere { 0, 7 }\") #fclose F #include \"t.inc\""
                  " #fopen F \"t.inc\" write #write (F, \"#declare N = N + 1; sphere { 0, N }\") #fclose F"
                  " #include \"t.inc\"", 5, radii);
+    assert_radius("#declare N = 0; #fopen F \"t.inc\" write #write (F, \"#macro M(A) A + 1 #end #declare N = M(N);\") #fclose F"
+                  " #for (I, 1, 9) #include \"t.inc\" #end sphere { 0, N }", 9);
 }
 
 static void what_povray_takes_is_taken(void **state)
@@ -381,6 +403,7 @@ int main(void)
         cmocka_unit_test(loops_turn_as_often_as_they_should),
         cmocka_unit_test(branches_are_chosen),
         cmocka_unit_test(macros_give_and_take),
+        cmocka_unit_test(bodies_of_macros_wait_as_text),
         cmocka_unit_test(scopes_end_with_their_macro),
         cmocka_unit_test(arrays_are_copied_and_shared),
         cmocka_unit_test(a_loop_that_does_not_end_is_stopped),

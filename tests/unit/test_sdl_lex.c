@@ -167,6 +167,29 @@ static void lex_joins_the_two_characters_of_a_comparison(void **state)
     assert_next(l, '=', "=", 1, 9);
 }
 
+static void lex_skips_to_the_next_directive(void **state)
+{
+    lexing *l = begin(state, "a(1.5) /* #if /* */ # */ \"#\\\"#\r\n\" // #\n \xC3\xA9 / b\r#end c");
+
+    lex_skip(l->text);
+    assert_next(l, '#', "#", 4, 1);
+    assert_next(l, TOKEN_WORD, "end", 4, 2);
+    lex_skip(l->text);
+    assert_next(l, TOKEN_END, "", 4, 7);
+}
+
+static void lex_skips_what_has_no_end(void **state)
+{
+    static const char *const texts[] = {"a /* # ", "a \" # ", "a // # ", "a \"\\", "/", ""};
+
+    for (size_t i = 0; i < sizeof texts / sizeof texts[0]; i++) {
+        lexing *l = begin(state, texts[i]);
+
+        lex_skip(l->text);
+        assert_int_equal(next(l).kind, TOKEN_END);
+    }
+}
+
 static void lex_resolves_escapes(void **state)
 {
     lexing *l = begin(state, "\"\\n\\u00e9\\u20AC\\\"\" \"a\\q\"");
@@ -216,6 +239,8 @@ int main(void)
         cmocka_unit_test_setup_teardown(lex_tells_where_an_endless_comment_begins, set_up, tear_down),
         cmocka_unit_test_setup_teardown(lex_ends_each_line_of_a_long_string_once, set_up, tear_down),
         cmocka_unit_test_setup_teardown(lex_joins_the_two_characters_of_a_comparison, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(lex_skips_to_the_next_directive, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(lex_skips_what_has_no_end, set_up, tear_down),
         cmocka_unit_test_setup_teardown(lex_resolves_escapes, set_up, tear_down),
         cmocka_unit_test_setup_teardown(lex_needs_no_end_mark, set_up, tear_down),
     };
