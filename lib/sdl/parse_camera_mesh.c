@@ -44,15 +44,15 @@ static pov_vec3 moved_normal(const pov_affine *map, pov_vec3 n)
                                 m[0][2] * n.x + m[1][2] * n.y + m[2][2] * n.z));
 }
 
-/* A face where the object's transformations take it. */
-static bool take_face(const object_parsed *o, const pov_affine *map, uint32_t number, pov_face *f)
+/* A face where the object's transformations take it; normals of its corners only if they are wanted. */
+static bool take_face(const object_parsed *o, const pov_affine *map, uint32_t number, bool smooth, pov_face *f)
 {
     if (!o->leaf.shape->face(o->leaf.instance, number, f))
         return false;
-    for (int i = 0; o->map && i < 3; i++) {
+    for (int i = 0; o->map && i < 3; i++)
         f->corners[i] = pov_affine_point(map, f->corners[i]);
+    for (int i = 0; o->map && smooth && i < 3; i++)
         f->normals[i] = moved_normal(map, f->normals[i]);
-    }
     if (o->map)
         f->normal = moved_normal(map, f->normal);
     return true;
@@ -65,14 +65,18 @@ static bool find_map(pov_reader *in, const object_parsed *o, pov_affine *map)
     return !in->failed;
 }
 
+/* Faces are numbered from 0 on: the first that is not there lies between a power of two and the next. */
 static uint32_t count_faces(const object_parsed *o)
 {
-    uint32_t n = 0;
+    uint32_t least = 0, step = 1;
     pov_face f;
 
-    while (o->leaf.shape->face(o->leaf.instance, n, &f))
-        n++;
-    return n;
+    while (step < UINT32_MAX / 2 && o->leaf.shape->face(o->leaf.instance, step - 1, &f))
+        step *= 2;
+    for (; step > 0; step /= 2)
+        if (o->leaf.shape->face(o->leaf.instance, least + step - 1, &f))
+            least += step;
+    return least;
 }
 
 static void make_faces(pov_reader *in, const object_parsed *o, camera_faces *out)
@@ -84,7 +88,7 @@ static void make_faces(pov_reader *in, const object_parsed *o, camera_faces *out
 
     if (!items || !find_map(in, o, &map))
         return;
-    for (uint32_t i = 0; i < count && take_face(o, &map, i, &f); i++) {
+    for (uint32_t i = 0; i < count && take_face(o, &map, i, false, &f); i++) {
         items[i].middle = pov_scale(pov_add(f.corners[0], pov_add(f.corners[1], f.corners[2])), 1.0 / 3.0);
         items[i].normal = f.normal;
     }
@@ -140,7 +144,7 @@ static void make_atlas(pov_reader *in, const object_parsed *o, bool smooth, came
 
     if (!faces || !find_map(in, o, &map))
         return;
-    for (uint32_t i = 0; i < count && take_face(o, &map, i, &f); i++)
+    for (uint32_t i = 0; i < count && take_face(o, &map, i, smooth, &f); i++)
         put_uv_face(&f, smooth, &faces[i]);
     out->faces = faces;
     out->rows = count < ROWS_MAX ? count : ROWS_MAX;
