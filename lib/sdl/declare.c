@@ -18,7 +18,7 @@ static value read_colour(pov_reader *in)
     v.kind = VALUE_VECTOR;
     v.size = 5;
     v.is_colour = true;
-    value_colour_components(in, false, v.as.v);
+    value_colour_any(in, false, v.as.v);
     return in->failed ? value_of_number(0.0) : v;
 }
 

@@ -149,7 +149,8 @@ typedef struct paint {
  * is true. */
 bool value_colour_follows(const pov_reader *in, bool bare);
 paint value_colour(pov_reader *in, bool bare);
-/* The same as five numbers. */
+/* The same as five numbers; the first takes any, as a name may hold them: what they are counts where they are used. */
+void value_colour_any(pov_reader *in, bool bare, double out[5]);
 void value_colour_components(pov_reader *in, bool bare, double out[5]);
 
 #endif

@@ -6,6 +6,7 @@
 
 #include <float.h>
 #include <math.h>
+#include <string.h>
 
 enum { RED, GREEN, BLUE, FILTER, TRANSMIT, CHANNELS };
 
@@ -133,16 +134,21 @@ static void read_channels(pov_reader *in, double out[CHANNELS])
     }
 }
 
-static void check_range(pov_reader *in, const place *at, const double out[CHANNELS])
+static void check_range(pov_reader *in, const place *at, double out[CHANNELS])
 {
     int i;
 
-    for (i = 0; i < CHANNELS && !in->failed; i++)
-        if (!(fabs(out[i]) <= FLT_MAX))
-            report_fail(in, at, POV_E_SYNTAX, "a number beyond %g has no use in a colour", (double)FLT_MAX);
+    for (i = 0; i < CHANNELS; i++) {
+        if (fabs(out[i]) <= FLT_MAX)
+            continue;
+        report_fail(in, at, POV_E_SYNTAX, "a number beyond %g has no use in a colour", (double)FLT_MAX);
+        memset(out, 0, CHANNELS * sizeof *out);
+        break;
+    }
 }
 
-void value_colour_components(pov_reader *in, bool bare, double out[CHANNELS])
+/* Returns where the numbers begin. */
+static place read_colour(pov_reader *in, bool bare, double out[CHANNELS])
 {
     place at, word;
     const form *f;
@@ -173,9 +179,21 @@ void value_colour_components(pov_reader *in, bool bare, double out[CHANNELS])
             report_expected(in, "a colour");
     }
     read_channels(in, out);
-    check_range(in, &at, out);
     for (i = 0; i < CHANNELS && in->failed; i++)
         out[i] = 0.0;
+    return at;
+}
+
+void value_colour_any(pov_reader *in, bool bare, double out[CHANNELS])
+{
+    read_colour(in, bare, out);
+}
+
+void value_colour_components(pov_reader *in, bool bare, double out[CHANNELS])
+{
+    const place at = read_colour(in, bare, out);
+
+    check_range(in, &at, out);
 }
 
 paint value_colour(pov_reader *in, bool bare)

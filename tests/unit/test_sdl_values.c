@@ -137,6 +137,20 @@ static void a_bare_vector_is_a_colour_where_nothing_else_can_stand(void **state)
     reading_end(&r);
 }
 
+static void a_name_may_hold_a_colour_that_no_surface_can_have(void **state)
+{
+    reading r;
+
+    (void)state;
+    reading_begin(&r, "#declare C = rgb <1/0, 2, 1e39>; #declare D = red 1/0; sphere { 0, C.green + (D.red > 1) pigment { rgb 1 } }");
+    assert_int_equal(r.status, POV_OK);
+    assert_true(reading_shape(&r, 0)->numbers[0] == 3.0);
+    reading_end(&r);
+    reading_begin(&r, "#declare C = rgb <1/0, 2, 3>; sphere { 0, 1 pigment { C } }");
+    assert_string_equal(r.error.message, "a number beyond 3.40282e+38 has no use in a colour");
+    reading_end(&r);
+}
+
 static void a_value_may_begin_with_a_colours_name(void **state)
 {
     reading r;
@@ -239,6 +253,7 @@ int main(void)
         cmocka_unit_test(a_number_too_small_for_a_double_is_zero_with_a_warning),
         cmocka_unit_test(colours_are_read_in_every_form),
         cmocka_unit_test(a_bare_vector_is_a_colour_where_nothing_else_can_stand),
+        cmocka_unit_test(a_name_may_hold_a_colour_that_no_surface_can_have),
         cmocka_unit_test(a_value_may_begin_with_a_colours_name),
         cmocka_unit_test(the_word_color_alone_is_black_with_a_warning),
         cmocka_unit_test(a_hash_before_words_of_the_scene_is_left_out),
