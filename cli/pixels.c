@@ -5,7 +5,20 @@
 #include <stdlib.h>
 #include <sys/mman.h>
 
-static const size_t large = (size_t)2 << 20;
+static const size_t large = (size_t)2 << 20, small = 4096;
+
+/* In one call: one by one they take twice as long to get. */
+static float *in_small_pages(size_t bytes)
+{
+    void *block;
+
+    if (posix_memalign(&block, small, bytes) != 0)
+        return NULL;
+#ifdef MADV_POPULATE_WRITE
+    madvise(block, bytes & ~(small - 1), MADV_POPULATE_WRITE);
+#endif
+    return block;
+}
 
 float *pixels_make(size_t width, size_t height)
 {
@@ -13,7 +26,7 @@ float *pixels_make(size_t width, size_t height)
     void *block;
 
     if (bytes < large / 2)
-        return malloc(bytes);
+        return in_small_pages(bytes);
     if (bytes > SIZE_MAX - large || posix_memalign(&block, large, whole) != 0)
         return NULL;
 #ifdef MADV_HUGEPAGE
