@@ -20,6 +20,7 @@ typedef struct surface_parsed {
     const texture *under;        /* the layers below; NULL: there is none */
     const texture *inside;       /* the interior_texture, or NULL */
     bool uv;                     /* all of it upon the surface's uv coordinates */
+    const transform *before_uv;  /* of the object, those in front of that word */
     bool has_look;               /* a pigment, finish, normal or texture was given */
     unsigned albedos;            /* strengths of the finish that were given as albedos */
     uint32_t moves;              /* transformations of the object that came behind its texture */

@@ -19,13 +19,21 @@ static const uint32_t told_apart = LEAF_NO_SHADOW | PHOTON_TARGET;   /* flags th
 
 static uint32_t count_list(const object_parsed *first);
 
+/* Textures that all around it moves before they stand upon uv coordinates. */
+static bool is_moved_upon_uv(const object_parsed *o)
+{
+    const surface_parsed *s = parse_surface_of(o);
+
+    return s->uv && (o->kind == OBJECT_GROUP || !s->has_look);
+}
+
 /* Leaves in an object; 0: it holds something that cannot be in a part. */
 static uint32_t count_leaves(const object_parsed *o)
 {
     uint32_t count = 1;
 
     if (o->kind == OBJECT_LIGHT || o->is_light_group || o->parts || o->flags & told_apart ||
-        parse_surface_of(o)->material.interior.media)
+        is_moved_upon_uv(o) || parse_surface_of(o)->material.interior.media)
         return 0;
     if (o->kind == OBJECT_GROUP)
         count = count_list(o->first);
@@ -62,8 +70,10 @@ static bool holds_named(const object_parsed *first)
 /* May it be a part, whatever is in it? The interior_texture of a whole is moved otherwise. */
 static bool may_wait(const object_parsed *o)
 {
-    return o->is_named && !parse_surface_of(o)->inside && o->kind == OBJECT_GROUP && o->first && !o->is_light_group && !o->clips &&
-           !(o->flags & (LEAF_INVERSE | PHOTON_TARGET | LEAF_CUTAWAY)) && !parse_surface_of(o)->material.interior.media;
+    const surface_parsed *s = parse_surface_of(o);
+
+    return o->is_named && !s->inside && !s->uv && !s->material.interior.media && o->kind == OBJECT_GROUP && o->first &&
+           !o->is_light_group && !o->clips && !(o->flags & (LEAF_INVERSE | PHOTON_TARGET | LEAF_CUTAWAY));
 }
 
 /* ---- uses ---- */

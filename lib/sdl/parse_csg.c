@@ -95,6 +95,20 @@ static uint32_t find_moves(const object_parsed *o, const around *a)
     return s->has_look ? moves : 0;
 }
 
+/* uv_mapping of a group holds for all that is in it. A texture whose own object says so stays; others have moved before. */
+static void spread_uv(pov_reader *in, const object_parsed *o, const around *a, const transform *map, uint32_t moves, surface_parsed *s)
+{
+    bool says = parse_surface_of(o)->uv;
+
+    for (; a; a = a->outer)
+        says |= parse_surface_of(a->group)->uv;
+    if (!says || s->uv || in->failed)
+        return;
+    if (moves > 0)
+        parse_surface_move(in, s, parse_last_transforms(in, map, moves));
+    s->uv = true;
+}
+
 /* What fills the object moves with it: it was moved by the transformations of the object that has the interior, and is
  * now by those of the groups around that one. */
 static const media *find_media(pov_reader *in, const object_parsed *o, const around *a, const media *found)
@@ -177,12 +191,13 @@ static bool add_leaf(pov_reader *in, const object_parsed *o, const around *a, no
 
     find_surface(in, o, a, &s);
     leaf.map = find_map(in, o, a);
+    leaf.flags = find_flags(o, a);
+    s.inside = o->both_sides ? NULL : find_inside(in, o, a, s.inside);
+    spread_uv(in, o, a, leaf.map, moves, &s);
     if (o->parts) {
         parse_parts_surface(in, o, leaf.map, moves, &s);
         moves = parse_count_transforms(leaf.map);
     }
-    leaf.flags = find_flags(o, a);
-    s.inside = o->both_sides ? NULL : find_inside(in, o, a, s.inside);
     parse_surface_material(in, &s, &m);
     m.interior.media = find_media(in, o, a, m.interior.media);
     leaf.flags |= m.needs_uv ? LEAF_UV : 0;
@@ -256,7 +271,7 @@ static bool count_outer(const around *a, uint32_t *outer)
         const object_parsed *o = a->group;
         const surface_parsed *s = parse_surface_of(o);
 
-        if (o->kind != OBJECT_GROUP || o->op != NODE_UNION || o->is_light_group || o->clips || o->flags || s->has_look || s->inside ||
+        if (o->kind != OBJECT_GROUP || o->op != NODE_UNION || o->is_light_group || o->clips || o->flags || s->has_look || s->inside || s->uv ||
             s->material.interior.given || a->since)
             return false;
         *outer += parse_count_transforms(o->map);

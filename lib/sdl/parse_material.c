@@ -19,6 +19,7 @@ void parse_surface_default(const surface_parsed *defaults, surface_parsed *s)
     s->material.interior = own.material.interior;
     s->inside = own.inside;
     s->uv = own.uv;
+    s->before_uv = own.before_uv;
     s->moves = own.moves;
 }
 

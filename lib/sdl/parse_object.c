@@ -56,8 +56,11 @@ static void read_normal(pov_reader *in, void *self, keyword_id keyword)
 
 static void read_uv(pov_reader *in, void *self, keyword_id keyword)
 {
+    object_parsed *o = self;
+
     (void)keyword;
-    ((object_parsed *)self)->surface.uv = value_optional(in, 1.0) != 0.0;
+    o->surface.uv = value_optional(in, 1.0) != 0.0;
+    o->surface.before_uv = o->map;
 }
 
 static void read_inside(pov_reader *in, void *self, keyword_id keyword)

@@ -128,7 +128,16 @@ static const texture *own_texture(pov_reader *in, const surface_parsed *s, const
 
     for (; map && moves > 0; moves--)
         map = map->before;
-    return own && map ? textures_move(in, own, parse_invert_transforms(in, map)) : own;
+    return own && map && !s->uv ? textures_move(in, own, parse_invert_transforms(in, map)) : own;
+}
+
+/* What has moved a part's texture before it stands upon uv coordinates: behind a mesh's word nothing does, as of its own texture,
+ * but of components all. */
+static const transform *part_moves(const object_parsed *o, const transform *map, const surface_parsed *s)
+{
+    const surface_parsed *own = parse_surface_of(o);
+
+    return !s->uv ? NULL : own->uv && !o->both_sides ? own->before_uv : map;
 }
 
 void parse_parts_surface(pov_reader *in, const object_parsed *o, const transform *map, uint32_t moves,
@@ -142,7 +151,8 @@ void parse_parts_surface(pov_reader *in, const object_parsed *o, const transform
         return;
     }
     memset(&node, 0, sizeof node);
-    memcpy(all, o->parts, o->part_count * sizeof *all);
+    for (uint32_t i = 0; i < o->part_count; i++)
+        all[i] = textures_move(in, o->parts[i], part_moves(o, map, s));
     all[o->part_count] = own_texture(in, s, map, moves);
     node.blend = BLEND_PARTS;
     node.count = o->part_count + 1;

@@ -469,6 +469,7 @@ void parse_texture(pov_reader *in, surface_parsed *s)
         make_upper_colourless(in, s, outer.has_look);
     s->inside = outer.inside;
     s->uv = outer.uv;
+    s->before_uv = outer.before_uv;
     s->has_look = true;
     s->moves = 0;
     if (outer.has_look && !in->failed) {

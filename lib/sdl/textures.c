@@ -152,7 +152,7 @@ static const texture *change_texture(pov_reader *in, const texture *t, const cha
 
     if (!t || in->failed)
         return t;
-    if (t->blend == BLEND_LAYERS)
+    if (t->blend == BLEND_LAYERS || t->blend == BLEND_PARTS)
         return change_members(in, t, by);
     own = *t;
     own.pattern = change_pattern(in, t->pattern, by);

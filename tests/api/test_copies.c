@@ -260,6 +260,14 @@ static void a_solid_with_an_interior_texture_is_written_out(void **state)
                        FLOOR FOREST(""));
 }
 
+/* Each use moves its texture by something else before uv coordinates take the place of points. */
+static void a_solid_whose_members_have_uv_coordinates_is_written_out(void **state)
+{
+    (void)state;
+    assert_written_out(MEMBERS("pigment { gradient x scale .2 }") "uv_mapping pigment { rgb .8 } #end " T VIEW FLOOR FOREST(""));
+    assert_written_out(MEMBERS("uv_mapping") "pigment { gradient x scale .2 } #end " T VIEW FLOOR FOREST(""));
+}
+
 static void scenes_of_any_size_are_the_same(void **state)
 {
     static const char *const forest = MEMBERS("pigment { rgbf .5 }") "pigment { gradient y scale .3 } #end " T
@@ -367,6 +375,7 @@ int main(void)
         cmocka_unit_test(a_union_with_an_interior_is_one_solid),
         cmocka_unit_test(uses_may_differ),
         cmocka_unit_test(a_solid_with_an_interior_texture_is_written_out),
+        cmocka_unit_test(a_solid_whose_members_have_uv_coordinates_is_written_out),
         cmocka_unit_test(scenes_of_any_size_are_the_same),
         cmocka_unit_test(copies_stand_anywhere),
         cmocka_unit_test(area_lights_and_uv_textures_are_the_same),

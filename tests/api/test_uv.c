@@ -49,6 +49,45 @@ static void it_counts_for_every_layer(void **state)
                           "texture { pigment { uv_mapping " CHECKS " } } texture { pigment { uv_mapping " STRIPES " } }"));
 }
 
+/* Against POV-Ray 3.7: what the gradient is at (.3, .2). */
+static void it_counts_for_all_that_is_in_an_object(void **state)
+{
+    static const struct { const char *text; double value; } seen[] = {
+        { "union { object { P texture { T } } uv_mapping }", 0.59994 },
+        { "union { object { P texture { T } scale 1.1 } uv_mapping }", 0.59031 },
+        { "union { object { P texture { T } } uv_mapping scale 1.1 }", 0.59031 },
+        { "union { object { P uv_mapping scale 1.1 } texture { T } }", 0.59934 },
+        { "union { object { P uv_mapping texture { T } } scale 1.1 }", 0.59934 },
+        { "intersection { object { P uv_mapping } sphere { 0, 3 } texture { T } scale 1.1 }", 0.59031 },
+        { "merge { union { object { P texture { T } scale 1.1 } } uv_mapping texture { S } }", 0.59031 },
+        { "difference { object { P texture { T } scale 1.1 } sphere { 0, .2 } uv_mapping cutaway_textures }", 0.59031 },
+        { "object { M uv_mapping }", 0.67124 },
+        { "object { M uv_mapping scale 1.1 }", 0.66818 },
+        { "object { M scale 1.1 uv_mapping }", 0.65289 },
+        { "union { object { M } uv_mapping scale 1.1 }", 0.65289 },
+        { "blob { threshold .5 sphere { <.5, 0, .5>, 1, 1.5 } sphere { -2*x, 1, 1.5 texture { S } } uv_mapping texture { T } "
+          "scale 1.1 }", 0.53750 },
+        { "blob { threshold .5 sphere { <.5, 0, .5>, 1, 1.5 texture { T } scale 1.2 } sphere { -2*x, 1, 1.5 } uv_mapping "
+          "texture { S } scale 1.1 }", 0.52840 },
+    };
+
+    (void)state;
+    for (size_t i = 0; i < sizeof seen / sizeof seen[0]; i++) {
+        char text[1024];
+        float *p;
+
+        snprintf(text, sizeof text, "#version 3.7; camera { orthographic location <.3, .2, -10> direction z right .001*x up .001*y } "
+                 "#declare T = texture { pigment { gradient x scale 8 translate -4 } finish { ambient 1 diffuse 0 } } "
+                 "#declare S = texture { pigment { rgb 1 } } #declare P = sphere { 0, 1 } "
+                 "#declare M = mesh { triangle { <-1, -1, 0>, <1, -1, 0>, <1, 1, 0> uv_vectors <.2, .3>, <2, .3>, <2, 3> texture { T } } } %s",
+                 seen[i].text);
+        p = scenes_draw(text, 1, 1, 1, 1);
+        if (fabs((double)p[0] - seen[i].value) > 2e-5)
+            fail_msg("%s: %f, not %f", seen[i].text, (double)p[0], seen[i].value);
+        free(p);
+    }
+}
+
 /* At heights of the axis, against POV-Ray 3.7; 2 stands for no hit. */
 static void v_of_an_ovus_is_an_angle_and_a_large_top_is_a_sphere(void **state)
 {
@@ -103,6 +142,7 @@ int main(void)
         cmocka_unit_test(v_of_an_ovus_is_an_angle_and_a_large_top_is_a_sphere),
         cmocka_unit_test(it_counts_for_a_pigment_a_texture_and_a_material),
         cmocka_unit_test(it_counts_for_every_layer),
+        cmocka_unit_test(it_counts_for_all_that_is_in_an_object),
         cmocka_unit_test(bumps_do_not_turn_with_the_object),
     };
 
