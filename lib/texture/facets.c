@@ -7,11 +7,11 @@ typedef struct facets { double coords, size; } facets;
 
 static pov_vec3 of_cell(const pattern_input *in, double amount, pov_vec3 cell, pov_vec3 n)
 {
-    const pov_vec3 unit = pov_unit(n), at = cube_nearest(in->noise, cell);
+    const pov_vec3 at = cube_nearest(in->noise, cell);
     const turbulence one = { { 0.0, 0.0, 0.0 }, 1, 2.0f, 0.5f };
     const pov_vec3 d = noise_vector_turbulence_at(in->noise, &one, at);
 
-    return pov_add(n, pov_scale(pov_sub(d, pov_scale(unit, pov_dot(unit, d))), amount));
+    return pov_add(n, pov_scale(pov_sub(d, pov_scale(n, pov_dot(n, d))), amount));
 }
 
 static void perturb(const pattern_input *in, double amount, vec_lanes *normal)
@@ -20,10 +20,10 @@ static void perturb(const pattern_input *in, double amount, vec_lanes *normal)
 
     (void)amount;
     for (uint32_t i = 0; i < in->n; i++) {
-        const pov_vec3 n = lanes_at(normal, i);
+        const pov_vec3 unit = pov_unit(lanes_at(normal, i));
 
-        lanes_put(normal, i, f->coords != 0.0 ? of_cell(in, f->coords, pov_scale(lanes_at(in->at, i), 1.0 / f->size), n)
-                                              : cube_nearest(in->noise, pov_scale(pov_unit(n), 1.0 / f->size)));
+        lanes_put(normal, i, f->coords != 0.0 ? of_cell(in, f->coords, pov_scale(lanes_at(in->at, i), 1.0 / f->size), unit)
+                                              : cube_nearest(in->noise, pov_scale(unit, 1.0 / f->size)));
     }
 }
 

@@ -87,6 +87,17 @@ static void bumps_scale_with_their_pattern(void **state)
                   plus(x, up, -0.4 / 3.0 / 2.0));
 }
 
+/* As in POV-Ray, with no_bump_scale too. */
+static void facets_turn_by_what_their_word_says_at_any_scale(void **state)
+{
+    const pov_vec3 once = perturbed("normal { facets coords .4 }", place, up);
+    (void)state;
+
+    assert_true(once.y < 0.999);
+    assert_normal(perturbed("normal { facets coords .4 scale 4 }", pov_scale(place, 4.0), up), once);
+    assert_normal(perturbed("normal { facets coords .4 scale 4 no_bump_scale }", pov_scale(place, 4.0), up), once);
+}
+
 static void objects_take_their_bumps_along(void **state)
 {
     const pov_vec3 z = { 0.0, 0.0, 1.0 };
@@ -176,6 +187,7 @@ int main(void)
         cmocka_unit_test(bumps_and_dents_add_vector_noise),
         cmocka_unit_test(other_patterns_add_their_slope),
         cmocka_unit_test(bumps_scale_with_their_pattern),
+        cmocka_unit_test(facets_turn_by_what_their_word_says_at_any_scale),
         cmocka_unit_test(objects_take_their_bumps_along),
         cmocka_unit_test(maps_mix_unit_normals),
         cmocka_unit_test(a_list_without_scaled_bumps_has_no_members_with_them),
