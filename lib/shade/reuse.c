@@ -366,11 +366,9 @@ static uint32_t first_facing(const weights *w, uint64_t lanes)
 
 static uint64_t facing_lanes(const weights *w)
 {
-    uint64_t out = 0;
+    static const double none[WORLD_MANY];
 
-    for (uint32_t i = w->from; i < w->to; i++)
-        out |= (uint64_t)(w->kernel[i] > 0.0) << i;
-    return out;
+    return lane_mask_below(none, w->kernel, w->to) & ~lane_mask_all(w->from);
 }
 
 static void hide(weights *w, uint64_t lanes)

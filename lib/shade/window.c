@@ -214,48 +214,58 @@ static uint8_t start_at(const block *b, int x, int y)
     return x < 0 || y < 0 || x >= WINDOW_BLOCK || y >= WINDOW_BLOCK ? NONE : b->start_of[y * WINDOW_BLOCK + x];
 }
 
-/* Are all beside it in the block on one surface with a start? At its edges something else may be near that hides much from some. */
-static bool goes_on(const block *b, uint32_t start)
+/* Does something beside a start stand out of its surface? It may be near and hide much from one pixel and little from the next. */
+static bool is_beside_more(const block *b, uint32_t start)
 {
+    const double most = 0.25;
     const int x = b->pixel[start] % WINDOW_BLOCK, y = b->pixel[start] / WINDOW_BLOCK;
-    const double least = 0.95, most = 0.25;
+    const pov_vec3 from = lanes_at(&b->starts.start, start), face = lanes_at(&b->starts.face, start);
 
     for (int v = y > 0 ? y - 1 : 0; v <= y + 1 && v < WINDOW_BLOCK; v++)
         for (int u = x > 0 ? x - 1 : 0; u <= x + 1 && u < WINDOW_BLOCK; u++) {
             const uint8_t other = start_at(b, u, v);
+            const pov_vec3 d = other == NONE ? face : pov_sub(lanes_at(&b->starts.start, other), from);
 
-            if (other == NONE || (other != start && !are_alike(&b->starts, start, other, least, most)))
-                return false;
+            if (pov_dot(d, face) > most * sqrt(pov_dot(d, d)))
+                return true;
         }
-    return true;
+    return false;
 }
 
 /* Within surfaces the starts of a square of the size of a cell ask together who sees a place. The squares are cells or lie across the
  * corners of cells, by chance: so each start has as much of the squares' others on one side as on the other. */
-static uint64_t find_alike(const block *b, uint32_t start, int shift, uint64_t within)
+static uint64_t find_alike(const block *b, uint32_t start, int shift, uint64_t left)
 {
-    const int left = (b->pixel[start] % WINDOW_BLOCK + shift) / WINDOW_CELL * WINDOW_CELL - shift;
-    const int top = (b->pixel[start] / WINDOW_BLOCK + shift) / WINDOW_CELL * WINDOW_CELL - shift;
-    uint64_t out = 0;
+    const double least = 0.95, most = 0.25;
+    const int x = (b->pixel[start] % WINDOW_BLOCK + shift) / WINDOW_CELL * WINDOW_CELL - shift;
+    const int y = (b->pixel[start] / WINDOW_BLOCK + shift) / WINDOW_CELL * WINDOW_CELL - shift;
+    uint64_t out = (uint64_t)1 << start;
 
-    for (int i = 0; within >> start & 1 && i < WINDOW_CELL * WINDOW_CELL; i++) {
-        const uint8_t other = start_at(b, left + i % WINDOW_CELL, top + i / WINDOW_CELL);
+    for (int i = 0; left >> start & 1 && i < WINDOW_CELL * WINDOW_CELL; i++) {
+        const uint8_t other = start_at(b, x + i % WINDOW_CELL, y + i / WINDOW_CELL);
 
-        if (other != NONE)
-            out |= within & (uint64_t)1 << other;
+        if (other != NONE && other != start && left >> other & 1 && are_alike(&b->starts, start, other, least, most) &&
+            are_alike(&b->starts, other, start, least, most))
+            out |= (uint64_t)1 << other;
     }
-    return out | (uint64_t)1 << start;
+    return out;
 }
 
 static void find_groups(block *b)
 {
-    uint64_t within = 0;
+    uint64_t within = 0, left, lanes;
 
     for (uint32_t i = 0; i < b->count; i++)
-        within |= (uint64_t)(!b->hollow[i] && goes_on(b, i)) << i;
-    for (int shift = 0; shift < WINDOW_CELL; shift++)
-        for (uint32_t i = 0; i < b->count; i++)
-            b->alike[shift][i] = find_alike(b, i, shift, within);
+        within |= (uint64_t)(!b->hollow[i] && !is_beside_more(b, i)) << i;
+    for (int shift = 0; shift < WINDOW_CELL; shift++) {
+        left = within;
+        for (uint64_t open = lane_mask_all(b->count); open; open &= ~lanes) {
+            lanes = find_alike(b, first_of64(open), shift, left);
+            for (uint64_t rest = lanes; rest; rest &= rest - 1)
+                b->alike[shift][first_of64(rest)] = lanes;
+            left &= ~lanes;
+        }
+    }
 }
 
 void windows_add(windows *w, pov_tracer *t, int column, int row, uint32_t n, const pov_ray *rays, unsigned known, const sample_id *samples,
