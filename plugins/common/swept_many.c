@@ -106,38 +106,50 @@ COMMON_SEPARATE static void add_straight(const lines *restrict n, const common_p
     }
 }
 
-/* ---- cubic pieces ---- */
+/* ---- curved pieces ---- */
 
-COMMON_INLINE double least_of(double a, double b, double c, double d) { return common_lesser(common_lesser(a, b), common_lesser(c, d)); }
-COMMON_INLINE double most_of(double a, double b, double c, double d) { return common_greater(common_greater(a, b), common_greater(c, d)); }
+/* The sides of its points, and where the line may cross it behind `begin`; where that is clearly before it, this is counted. */
+COMMON_INLINE void find_curve(const lines *restrict n, const common_piece *c, int degree, uint32_t i, common_bernsteins *restrict out,
+                              double *restrict may, sums *restrict io)
+{
+    const double px = n->px[i], py = n->py[i], dx = n->dx[i], dy = n->dy[i], square = n->square[i];
+    const double off = 0x1p-40 * (1.0 + fabs(px) + fabs(py)) * (fabs(dx) + fabs(dy));
+    double least = HUGE_VAL, most = -HUGE_VAL, first = HUGE_VAL, last = -HUGE_VAL, largest = 0.0, crossed, is_before, is_behind, odd;
 
-/* The sides of its points, and where the line may cross it behind `begin`; where that is clearly before it, this is counted. Returns whether
- * any line may. */
+    COMMON_UNROLLED for (int k = 0; k <= degree; k++) {
+        const double x = c->x[k] - px, y = c->y[k] - py, b = x * dy - y * dx, a = x * dx + y * dy;
+
+        out->b[k][i] = b;
+        least = common_lesser(least, b);
+        most = common_greater(most, b);
+        first = common_lesser(first, a);
+        last = common_greater(last, a);
+        largest = common_greater(largest, fabs(b));
+    }
+    crossed = least < 0.0 ? most >= 0.0 ? 1.0 : 0.0 : 0.0;
+    is_before = last < (n->begin[i] - n->before[i] - n->base[i]) * square - off ? crossed : 0.0;
+    is_behind = first > (n->end[i] + n->after[i] - n->base[i]) * square + off ? crossed : 0.0;
+    odd = (out->b[0][i] >= 0.0) != (out->b[degree][i] >= 0.0) ? is_before : 0.0;
+    out->noise[i] = 4.0 * 0x1p-53 * (degree + 1) * largest;
+    io->side[i] *= 1.0 - 2.0 * odd;
+    may[i] = is_before + is_behind > 0.0 ? 0.0 : crossed;
+}
+
+/* Returns whether any line may cross it. */
 COMMON_SEPARATE static bool find_cubic(const lines *restrict n, const common_piece *c, common_bernsteins *restrict out, double *restrict may, sums *restrict io)
 {
-    const double x0 = c->x[0], y0 = c->y[0], x1 = c->x[1], y1 = c->y[1], x2 = c->x[2], y2 = c->y[2], x3 = c->x[3], y3 = c->y[3];
-
     for (uint32_t i = 0; i < N; i++) {
-        const double px = n->px[i], py = n->py[i], dx = n->dx[i], dy = n->dy[i];
-        const double b0 = (x0 - px) * dy - (y0 - py) * dx, b1 = (x1 - px) * dy - (y1 - py) * dx, b2 = (x2 - px) * dy - (y2 - py) * dx;
-        const double b3 = (x3 - px) * dy - (y3 - py) * dx;
-        const double a0 = (x0 - px) * dx + (y0 - py) * dy, a1 = (x1 - px) * dx + (y1 - py) * dy, a2 = (x2 - px) * dx + (y2 - py) * dy;
-        const double a3 = (x3 - px) * dx + (y3 - py) * dy, square = n->square[i];
-        const double off = 0x1p-40 * (1.0 + fabs(px) + fabs(py)) * (fabs(dx) + fabs(dy));
-        const double crossed = least_of(b0, b1, b2, b3) < 0.0 ? most_of(b0, b1, b2, b3) >= 0.0 ? 1.0 : 0.0 : 0.0;
-        const double is_before = most_of(a0, a1, a2, a3) < (n->begin[i] - n->before[i] - n->base[i]) * square - off ? crossed : 0.0;
-        const double is_behind = least_of(a0, a1, a2, a3) > (n->end[i] + n->after[i] - n->base[i]) * square + off ? crossed : 0.0;
-        const double odd = (b0 >= 0.0) != (b3 >= 0.0) ? is_before : 0.0;
-
-        out->b[0][i] = b0;
-        out->b[1][i] = b1;
-        out->b[2][i] = b2;
-        out->b[3][i] = b3;
-        out->noise[i] = 4.0 * 0x1p-53 * (3 + 1) * most_of(fabs(b0), fabs(b1), fabs(b2), fabs(b3));
+        find_curve(n, c, 3, i, out, may, io);
         out->beyond[i] = out->within[i] = -HUGE_VAL;
-        io->side[i] *= 1.0 - 2.0 * odd;
-        may[i] = is_before + is_behind > 0.0 ? 0.0 : crossed;
     }
+    return any_of(may);
+}
+
+COMMON_SEPARATE static bool find_quadratic(const lines *restrict n, const common_piece *c, common_bernsteins *restrict out, double *restrict may,
+                                         sums *restrict io)
+{
+    for (uint32_t i = 0; i < N; i++)
+        find_curve(n, c, 2, i, out, may, io);
     return any_of(may);
 }
 
@@ -160,7 +172,44 @@ COMMON_SEPARATE static void add_cubic(const lines *restrict n, const common_piec
     }
 }
 
+COMMON_INLINE double fraction_of(double a, double b) { return a + b != 0.0 ? a / (a + b) : a; }
+
+COMMON_INLINE double blend_quadratic(const double *b, double u, double v) { return (b[0] * v + 2.0 * b[1] * u) * v + b[2] * u * u; }
+
+/* Both roots at once, as bernstein.c finds them. */
+COMMON_SEPARATE static void add_quadratic(const lines *restrict n, const common_piece *c, double piece, const double *restrict may,
+                                        const common_bernsteins *restrict of, sums *restrict io)
+{
+    const double x[3] = { c->x[0], c->x[1], c->x[2] }, y[3] = { c->y[0], c->y[1], c->y[2] };
+
+    for (uint32_t i = 0; i < N; i++) {
+        const double b0 = of->b[0][i], b1 = of->b[1][i], b2 = of->b[2][i], d = b1 * b1 - b0 * b2, size = sqrt(d);
+        const double from = b0 >= 0.0 ? 1.0 : 0.0, to = b2 >= 0.0 ? 1.0 : 0.0, turns = b1 > 0.0 ? 1.0 - from : from;
+        const double both = from == to ? d > 0.0 ? fabs(b1) > of->noise[i] ? turns * may[i] : 0.0 : 0.0 : 0.0, one = from == to ? 0.0 : may[i];
+        const double q = b1 > 0.0 ? -b1 - size : size - b1, positive = q > 0.0 ? 1.0 : 0.0;
+        const double p = fraction_of(q, b2), r = fraction_of(b0, q), u = both > 0.0 ? common_lesser(p, r) : positive == to ? p : r;
+        const double v = common_greater(p, r), w = 1.0 - u, z = 1.0 - v;
+
+        add(n, i, both + one, place_of(n, i, blend_quadratic(x, u, w), blend_quadratic(y, u, w)), u, piece, io);
+        add(n, i, both, place_of(n, i, blend_quadratic(x, v, z), blend_quadratic(y, v, z)), v, piece, io);
+    }
+}
+
 /* ---- all ---- */
+
+static void add_curve(const lines *n, const common_piece *c, double piece, sums *io)
+{
+    common_first_of_bernsteins at;
+    common_bernsteins all;
+    lane may;
+
+    if (c->degree == 2 && find_quadratic(n, c, &all, may, io)) {
+        add_quadratic(n, c, piece, may, &all, io);
+    } else if (c->degree == 3 && find_cubic(n, c, &all, may, io)) {
+        common_bernstein_first_many(&all, 3, &at);
+        add_cubic(n, c, piece, may, &at, io);
+    }
+}
 
 static void add_pieces(const common_outline *o, const lines *n, sums *io)
 {
@@ -171,19 +220,8 @@ static void add_pieces(const common_outline *o, const lines *n, sums *io)
         const common_piece *c = &o->at[i];
         double *const before = from;
 
-        if (c->degree == 2) {
-            for (uint32_t k = 0; k < N; k++)
-                io->open[k] = 1.0;
-            return;
-        }
-        if (c->degree == 3) {
-            common_first_of_bernsteins at;
-            common_bernsteins all;
-
-            if (find_cubic(n, c, &all, crossed, io)) {
-                common_bernstein_first_many(&all, 3, &at);
-                add_cubic(n, c, i, crossed, &at, io);
-            }
+        if (c->degree > 1) {
+            add_curve(n, c, i, io);
             continue;
         }
         if (!(c->x[0] == last[0] && c->y[0] == last[1]))
