@@ -101,10 +101,10 @@ void common_boxed_intersect(const common_boxed *b, common_cross_entry *cross, co
         cross(self, ray, &e, hits);
 }
 
-/* May its first crossing be found beside others'? */
+/* May its first crossing be found beside others'? That one decides where any will do, too: if it is not before the end, none is. */
 static inline bool wants_first(const pov_ray *ray, const pov_hits *hits)
 {
-    return hits->want == POV_WANT_NEAREST && ray->origin_surface != hits->owner && !(hits->slack > 0.0);
+    return hits->want != POV_WANT_ALL && ray->origin_surface != hits->owner;
 }
 
 static bool has_crossed(const common_entries *l, const common_first_crossings *of, uint32_t i, pov_hits *hits)
