@@ -118,7 +118,7 @@ static uint32_t which_of(const csg_traversal *w, const pov_crossing *at) { retur
 enum { CLOSE_MAX = 4 };
 
 /* Pass the next crossings, which are too close for doubles, where their order does not matter: with any of their members entered
- * or left the tree's value is the same. False: it may matter. */
+ * or left the tree's value is the same. False: it may matter; or open members, which are asked beside each crossing, may be entered. */
 static bool pass_close(csg_traversal *w)
 {
     const uint32_t first = w->applied;
@@ -128,9 +128,9 @@ static bool pass_close(csg_traversal *w)
 
     while (count < CLOSE_MAX && is_close(w, first + count - 1))
         count++;
-    same = !is_close(w, first + count - 1);
+    same = w->tree->open_count == 0 && !is_close(w, first + count - 1);
     for (uint32_t i = first; i < first + count; i++)
-        same = same && !csg_member_at(w, &w->found.at[i])->patch && !csg_member_at(w, &w->found.at[i])->open;
+        same = same && !csg_member_at(w, &w->found.at[i])->patch;
     if (!same)
         return false;
     /* In the order of a Gray code, which ends with the last one alone. */

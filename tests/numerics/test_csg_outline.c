@@ -214,6 +214,33 @@ static void make_glass_tree(scene *s)
         make_any_tree(s);
 }
 
+static bool has_gaps(const void *self)
+{
+    (void)self;
+    return true;
+}
+
+/* A member or two that a torus clips as if it had gaps: it is asked what it holds beside their crossings. */
+static void make_gapped_tree(scene *s)
+{
+    const probe torus = { .kind = TORUS, .count = 2, .size = 1.0, .number = { 0.5 + 0.8 * U(), 0.1 + 0.4 * U() } };
+    const group_node clipped = { .op = NODE_CLIP, .line = 1, .column = 1 }, both = { .op = NODE_INTERSECTION, .line = 1, .column = 1 };
+    node_ref children[2], root;
+
+    s->surface = *fake_reader_shape("torus");
+    s->surface.open = has_gaps;
+    s->endless = U() < 0.4;
+    children[0] = add_member(s);
+    if (U() < 0.6) {
+        children[1] = add_member(s);
+        assert_true(model_add_group(&s->model, &both, children, 2, &children[0]));
+    }
+    s->endless = false;
+    children[1] = add_of(s, torus, &s->surface, U() < 0.6 ? s->map : make_map(&s->model), U() < 0.2 ? LEAF_INVERSE : 0);
+    assert_true(model_add_group(&s->model, &clipped, children, 2, &root));
+    assert_true(model_add_tree(&s->model, root));
+}
+
 /* A box that many planes cut, some of them along its edges or faces; or that and a member or two cut out of it. */
 static void make_polyhedron(scene *s)
 {
@@ -447,6 +474,14 @@ static void outlines_of_glass_find_what_the_walk_finds(void **state)
     assert_true(all.hits > rays / 10 && all.crossed > 2 * all.hits);
 }
 
+static void outlines_of_what_gaps_clip_find_what_the_walk_finds(void **state)
+{
+    const tally all = ask_all(make_gapped_tree);
+
+    (void)state;
+    assert_true(all.hits > rays / 20);
+}
+
 static void outlines_of_many_planes_find_what_the_walk_finds(void **state)
 {
     const tally all = ask_all(make_polyhedron);
@@ -560,6 +595,7 @@ int main(int argc, char **argv)
         cmocka_unit_test(outlines_find_what_the_walk_finds),
         cmocka_unit_test(outlines_of_any_nodes_find_what_the_walk_finds),
         cmocka_unit_test(outlines_of_glass_find_what_the_walk_finds),
+        cmocka_unit_test(outlines_of_what_gaps_clip_find_what_the_walk_finds),
         cmocka_unit_test(outlines_of_many_planes_find_what_the_walk_finds),
         cmocka_unit_test(outlines_of_clips_find_what_the_walk_finds),
         cmocka_unit_test(outlines_of_what_cuts_a_surface_find_what_the_walk_finds),
