@@ -170,16 +170,21 @@ static void apply(csg_traversal *w, uint32_t first, uint32_t end)
     }
 }
 
-/* Distance from a crossing to the point at which open members are tested: less than to the next crossing. */
+double csg_open_step(const csg_traversal *w, double t, double before, double after)
+{
+    const double size = w->tree->open_size > 0.0 ? w->tree->open_size : w->size;
+    double step = open_step * size + open_step_least * (pov_largest(w->ray->org) + w->dir * fabs(t));
+
+    step = w->dir > 0.0 ? step / w->dir : 0.0;
+    return pov_min(pov_min(step, 0.5 * before), 0.5 * after);
+}
+
 static double step_at(const csg_traversal *w, uint32_t first, uint32_t end)
 {
     const pov_crossing *at = w->found.at;
-    const double size = w->tree->open_size > 0.0 ? w->tree->open_size : w->size;
-    double step = open_step * size + open_step_least * (pov_largest(w->ray->org) + w->dir * fabs(at[first].t));
 
-    step = w->dir > 0.0 ? step / w->dir : 0.0;
-    step = pov_min(step, 0.5 * (at[first].t - (first > 0 ? at[first - 1].t : 0.0)));
-    return end < w->found.count ? pov_min(step, 0.5 * (at[end].t - at[end - 1].t)) : step;
+    return csg_open_step(w, at[first].t, at[first].t - (first > 0 ? at[first - 1].t : 0.0),
+                         end < w->found.count ? at[end].t - at[end - 1].t : HUGE_VAL);
 }
 
 /* Enter or leave open members by their inside() at a point of the ray: a ray may enter them without a crossing. */
@@ -287,21 +292,20 @@ static bool traverse(csg_traversal *w, pov_hits *hits, bool exact)
     return traverse_once(w, hits, exact);
 }
 
-static bool doubles_will_do(const csg_tree *t, const pov_hits *hits) { return !(t->open_count > 0 || hits->always_exact || hits->tmin != 0.0); }
+static bool doubles_will_do(const pov_hits *hits) { return !hits->always_exact && hits->tmin == 0.0; }
 
-static bool wants_first(const csg_tree *t, const pov_hits *hits) { return doubles_will_do(t, hits) && hits->want != POV_WANT_ALL; }
+static bool wants_first(const csg_tree *t, const pov_hits *hits) { return t->open_count == 0 && doubles_will_do(hits) && hits->want != POV_WANT_ALL; }
 
 /* What is wanted, in doubles. False: these cannot tell, or the tree is another one. */
 static bool find_in_doubles(csg_traversal *w, pov_hits *hits)
 {
     const csg_tree *t = w->tree;
 
-    if (!doubles_will_do(t, hits))
+    if (!doubles_will_do(hits))
         return false;
-    if (t->chords.all && hits->want != POV_WANT_ALL)
+    if (t->chords.all && wants_first(t, hits))
         return csg_chords_first(w, hits);
-    return (t->outline && !t->clipped.outlined && csg_sweep(w, hits)) ||
-           (t->clipped.count > 0 && hits->want != POV_WANT_ALL && csg_clipped_first(w, hits));
+    return (t->outline && !t->clipped.outlined && csg_sweep(w, hits)) || (t->clipped.count > 0 && wants_first(t, hits) && csg_clipped_first(w, hits));
 }
 
 void csg_intersect(const void *self, const pov_ray *ray, pov_hits *hits)

@@ -160,7 +160,7 @@ static bool add_all(const csg_tree *t, const pov_outline *all, csg_outline *of)
         own_map map;
 
         of->first_slab[i] = (uint8_t)s;
-        if (of->asked >> i & 1)
+        if ((of->asked | of->held) >> i & 1)
             continue;
         if (!find_map(&t->members[of->member[i]], &all[i], of, &map))
             return false;
@@ -240,31 +240,40 @@ static size_t turned_size(const csg_tree *t, const csg_outline *of)
 bool csg_is_small(const csg_tree *t)
 {
     uint32_t count = 0;
-    bool held = false;
+    bool held = false, other = false;
 
     for (uint32_t i = 0; i < t->member_count; i++) {
         if (t->members[i].absent)
             continue;
-        if (t->members[i].patch || !t->members[i].shape->outline || ++count > CSG_COLUMNS)
+        if (t->members[i].patch || ++count > CSG_COLUMNS)
             return false;
-        held = held || t->members[i].needed;
+        other = other || !t->members[i].shape->outline;
+        held = held || (t->members[i].needed && t->members[i].shape->outline);
     }
-    return !t->empty && (held || count <= CSG_TABLE_COLUMNS);
+    return !t->empty && (held || (count <= CSG_TABLE_COLUMNS && !other));
 }
 
-/* What the classes know of the columns. any: others will do that have a box. */
+/* A column without slabs and quadrics. False: its crossings cannot be found apart from those of others. */
+static bool add_other(const csg_member *m, uint32_t column, csg_outline *of, pov_outline *out)
+{
+    memset(out, 0, sizeof *out);
+    if (m->open && m->hidden)
+        of->held |= 1u << column;
+    else
+        of->asked |= 1u << column;
+    of->walked = of->walked || (m->open && !m->hidden);
+    return m->open || m->boxed;
+}
+
+/* What the classes know of the columns. any: others will do that have a box, or gaps. */
 static bool ask_columns(const csg_tree *t, csg_outline *of, bool any, pov_outline *all)
 {
     for (uint32_t i = 0; i < of->count; i++) {
         const csg_member *m = member_at(t, of, i);
 
-        if (m->open)
-            return false;
-        if (!m->shape->outline || !m->shape->outline(m->instance, &all[i])) {
-            if (!any || !m->boxed)
+        if (m->open || !m->shape->outline || !m->shape->outline(m->instance, &all[i])) {
+            if (!any || !add_other(m, i, of, &all[i]))
                 return false;
-            memset(&all[i], 0, sizeof all[i]);
-            of->asked |= 1u << i;
             continue;
         }
         of->within |= (uint32_t)m->needed << i;
@@ -375,6 +384,8 @@ static bool take_columns(csg_tree *t, csg_outline *of, pov_outline *all)
     static const csg_outline none = { .count = 0 };
 
     *of = none;
+    if (t->open_count > 0)
+        t->clipped = (csg_clipped){ .count = 0 };   /* surfaces with gaps are left to the walk */
     if ((find_columns(t, of) && ask_columns(t, of, false, all)) || (take_clips(t, of) && ask_columns(t, of, false, all)))
         return true;
     drop_clips(t);

@@ -185,6 +185,8 @@ static bool begin(sweep *s, uint32_t from, const pov_hits *hits)
     s->holds = s->io.outside;
     s->count = s->next = s->own_count = s->waiting = s->known = s->entered = 0;
     for (uint32_t i = 0; i < s->of->count; i++) {
+        if (s->of->held >> i & 1)
+            continue;
         if (s->of->asked >> i & 1)
             await(s, i);
         else if (!add_column(s, i, from, hits))
@@ -286,11 +288,60 @@ static bool matters(sweep *s, uint32_t any)
     return false;
 }
 
+/* The same, whatever clips with gaps hold. */
+static bool may_matter(sweep *s, uint32_t any)
+{
+    const uint32_t held = s->of->held, before = s->holds;
+    bool matter = matters(s, any);
+
+    for (uint32_t some = held; some && !matter; some = (some - 1) & held) {
+        s->holds = before ^ some;
+        matter = matters(s, any);
+    }
+    s->holds = before;
+    return matter;
+}
+
+/* What clips with gaps hold on both sides of a crossing. False: open, or not the same. */
+static bool find_held(sweep *s, uint32_t end, const pov_crossing *at)
+{
+    const double before = s->next > 0 ? s->at[s->next].at - s->at[s->next - 1].at : HUGE_VAL, after = end < s->count ? s->at[end].at - s->at[s->next].at : HUGE_VAL;
+    const double step = csg_open_step(s->w, at->t, pov_min(at->t, before * s->io.per_unit), after * s->io.per_unit);
+
+    for (uint32_t left = s->of->held; left; left &= left - 1) {
+        const csg_member *m = member_of(s, first_of(left));
+        const bool inside = csg_member_holds(s->w, m, at->t - step);
+
+        if (csg_member_holds(s->w, m, at->t + step) != inside)
+            return false;
+        s->holds = inside ? s->holds | (left & (0u - left)) : s->holds & ~(left & (0u - left));
+    }
+    return true;
+}
+
+/* The next crossing, which may matter. False: that is open. */
+static bool take(sweep *s, uint32_t end, uint32_t any, const pov_hits *hits, found_crossing *out, bool *matter)
+{
+    const crossing *first = &s->at[s->next];
+
+    out->is.column = first->column;
+    out->is.t = (first->at - s->io.start) * s->io.per_unit;
+    out->is.off = near_by(s, first->at) * s->io.per_unit;
+    out->own = first->own ? &s->own[first->own - 1] : NULL;
+    if (s->of->held) {
+        out->own = out->own ? out->own : own_at(s, &out->is, hits);
+        if (!out->own || !find_held(s, end, out->own))
+            return false;
+    }
+    *matter = !s->of->held || matters(s, any);
+    out->is.inward = value_of(s, s->holds ^ any) > value_of(s, s->holds);
+    return true;
+}
+
 /* The next crossing of the tree. */
 static csg_found find(sweep *s, const pov_hits *hits, found_crossing *out)
 {
     for (uint32_t end; ; s->next = end) {
-        const crossing *first = &s->at[s->next];
         uint32_t any = 0, changed = 0;
         bool matter;
 
@@ -302,16 +353,9 @@ static csg_found find(sweep *s, const pov_hits *hits, found_crossing *out)
             any |= 1u << s->at[i].column;
             changed ^= 1u << s->at[i].column;
         }
-        matter = matters(s, any);
-        if (matter && end > s->next + 1)
+        matter = may_matter(s, any);
+        if (matter && (end > s->next + 1 || !take(s, end, any, hits, out, &matter)))
             return CSG_OPEN;
-        if (matter) {
-            out->is.column = first->column;
-            out->is.inward = value_of(s, s->holds ^ any) > value_of(s, s->holds);
-            out->is.t = (first->at - s->io.start) * s->io.per_unit;
-            out->is.off = near_by(s, first->at) * s->io.per_unit;
-            out->own = first->own ? &s->own[first->own - 1] : NULL;
-        }
         s->holds ^= changed;
         if (!matter)
             continue;
@@ -449,6 +493,8 @@ bool csg_sweep(csg_traversal *w, pov_hits *hits)
     s.to += near_by(&s, s.to);
     if (is_nowhere(&s, from))
         return true;
+    if (s.of->walked)
+        return false;
     found = hits->want != POV_WANT_ALL && csg_is_common(w->tree) ? find_common(&s, from, &first) : CSG_OPEN;
     if (found == CSG_CROSSED)
         return report_common(&s, &first, hits);

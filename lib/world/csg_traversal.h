@@ -118,6 +118,8 @@ bool csg_sweep(csg_traversal *w, pov_hits *hits);
 void csg_intersect_member(const csg_traversal *w, const csg_member *m, pov_hits *found);
 /* Is a crossing that was found in double-double in the place that the ray starts from, and so behind it? */
 bool csg_is_behind(const csg_traversal *w, const pov_crossing *at);
+/* Distance from a crossing at t to the points at which open members are tested: less than to the crossings before and after it. */
+double csg_open_step(const csg_traversal *w, double t, double before, double after);
 /* Is a point of the ray inside a member? */
 bool csg_member_holds(const csg_traversal *w, const csg_member *m, double t);
 
