@@ -44,22 +44,30 @@ object_content object_content_of_members(const object_parsed *o)
 
 /* ---- points ---- */
 
-static bool holds_as(pov_reader *in, const object_parsed *o, pov_vec3 point, bool cuts);
+/* How often an object holds a point: a union counts its members, so that faces of one within another are surfaces of a group
+ * around it too; a merge, and whatever is turned, counts 0 or 1. What is not 0 need not be told from `most` or more. */
+static uint32_t value_as(pov_reader *in, const object_parsed *o, pov_vec3 point, bool cuts, uint32_t most);
 
-/* Does the group hold the point, where `but`, one of its members, is taken to hold it, or not to? turned: does its complement? That is
- * made of the complements of members, for a surface, or what is clipped, has one of its own. */
-static bool group_holds(pov_reader *in, const object_parsed *o, pov_vec3 point, bool turned, const object_parsed *but, bool but_holds)
+/* A member that is taken to hold the point, or not to. */
+typedef struct given { const object_parsed *member; bool holds; } given;
+
+/* Of a group, or, if `turned`, of its complement. That is made of the complements of members, for a surface, or what is clipped, has
+ * one of its own. */
+static uint32_t group_value(pov_reader *in, const object_parsed *o, pov_vec3 point, bool turned, const given *but, uint32_t most)
 {
     const bool any = (o->op == NODE_UNION || o->op == NODE_MERGE) != turned;
+    const uint32_t limit = turned || o->op == NODE_MERGE ? 1 : most;
+    uint32_t sum = any ? 0 : 1;
 
-    for (const object_parsed *member = o->first; member; member = member->next) {
+    for (const object_parsed *member = o->first; member && (!any || sum < limit); member = member->next) {
         const bool cuts = (o->op == NODE_DIFFERENCE && member != o->first) != turned;
-        const bool holds = member == but ? but_holds != cuts : holds_as(in, member, point, cuts);
+        const uint32_t count = but && member == but->member ? but->holds != cuts : value_as(in, member, point, cuts, limit);
 
-        if (holds == any)
-            return any;
+        if (!any && count == 0)
+            return 0;
+        sum += any ? count : count - 1;
     }
-    return !any;
+    return sum < limit ? sum : limit;
 }
 
 /* Is the point in all that clips the object? Of its transformations only those behind a clip move this one. */
@@ -81,7 +89,7 @@ static bool clips_hold(pov_reader *in, const object_parsed *o, pov_vec3 point)
 
 /* The object, or what it leaves when it cuts: of a clipped one that is clipped too, and of a surface that holds nothing nothing
  * is left, as in POV-Ray. */
-static bool holds_as(pov_reader *in, const object_parsed *o, pov_vec3 point, bool cuts)
+static uint32_t value_as(pov_reader *in, const object_parsed *o, pov_vec3 point, bool cuts, uint32_t most)
 {
     const pov_vec3 zero = pov_vec3_of(0.0, 0.0, 0.0);
     const bool turned = ((o->flags & LEAF_INVERSE) != 0) != cuts;
@@ -90,11 +98,11 @@ static bool holds_as(pov_reader *in, const object_parsed *o, pov_vec3 point, boo
     subject s;
 
     if (o->clips && !clips_hold(in, o, point))
-        return false;
+        return 0;
     if (subject_map(o, &map))
         point = subject_back(&map, point, 1.0);
     if (o->kind == OBJECT_GROUP)
-        return group_holds(in, o, point, turned, NULL, false);
+        return group_value(in, o, point, turned, NULL, most);
     if (o->kind == OBJECT_LEAF && subject_begin(in, o, &s)) {
         holds = shape_is_solid(s.shape, o->leaf.instance) ? s.shape->inside(s.self, point, zero) : turned;
         subject_end(in, &s);
@@ -107,7 +115,7 @@ bool object_is_solid(const object_parsed *o)
     return o->kind == OBJECT_GROUP || (o->kind == OBJECT_LEAF && shape_is_solid(o->leaf.shape, o->leaf.instance));
 }
 
-bool object_holds(pov_reader *in, const object_parsed *o, pov_vec3 point) { return holds_as(in, o, point, false); }
+bool object_holds(pov_reader *in, const object_parsed *o, pov_vec3 point) { return value_as(in, o, point, false, 1) > 0; }
 
 /* ---- rays ---- */
 
@@ -209,8 +217,8 @@ static double grain(const pov_ray *ray, double t)
     return 1e-9 * (fabs(t) + sqrt(pov_dot(ray->org, ray->org) / pov_dot(ray->dir, ray->dir)));
 }
 
-/* A crossing of a solid is one of the group where before it is in the group and behind it is not, or the other way round:
- * faces of members may coincide. One of a sheet is, where being in it decides about being in the group. */
+/* A crossing of a solid is one of the group where the group's value before it is another than behind it: faces of members may
+ * coincide. One of a sheet is, where being in it decides about the value. */
 static bool is_surface(pov_reader *in, const object_parsed *o, const object_parsed *member, const pov_ray *ray, bool turned,
                        const crossing *h)
 {
@@ -218,9 +226,10 @@ static bool is_surface(pov_reader *in, const object_parsed *o, const object_pars
     const pov_vec3 point = pov_add(ray->org, pov_scale(ray->dir, h->t));
 
     if (h->on_sheet)
-        return group_holds(in, o, point, turned, member, true) != group_holds(in, o, point, turned, member, false);
-    return group_holds(in, o, pov_add(ray->org, pov_scale(ray->dir, h->t - step)), turned, NULL, false) !=
-           group_holds(in, o, pov_add(ray->org, pov_scale(ray->dir, h->t + step)), turned, NULL, false);
+        return group_value(in, o, point, turned, &(given){ member, true }, UINT32_MAX) !=
+               group_value(in, o, point, turned, &(given){ member, false }, UINT32_MAX);
+    return group_value(in, o, pov_add(ray->org, pov_scale(ray->dir, h->t - step)), turned, NULL, UINT32_MAX) !=
+           group_value(in, o, pov_add(ray->org, pov_scale(ray->dir, h->t + step)), turned, NULL, UINT32_MAX);
 }
 
 /* A crossing may lie a little behind its distance as a double: it is not met again. */

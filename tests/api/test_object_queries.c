@@ -213,6 +213,28 @@ static void what_a_triangle_leaves_of_solids_is_traced(void **state)
 }
 
 /* Whether the object was scaled, or a group that it is in. */
+/* Along z from -2, between both spheres. */
+static void assert_traced(const char *object, double z)
+{
+    char declared[400];
+
+    snprintf(declared, sizeof declared, "#declare U = union { sphere { 0, 3 } sphere { 0, 1 } } #declare O = %s", object);
+    assert_value(declared, "9 + trace(O, -2*z, z).z", 9.0 + z);
+}
+
+static void faces_within_a_union_are_traced_in_groups_as_they_are_seen(void **state)
+{
+    (void)state;
+    assert_traced("object { U }", -1.0);
+    assert_traced("intersection { object { U } box { -9, 9 } }", -1.0);
+    assert_traced("difference { object { U } box { 8, 9 } }", -1.0);
+    assert_traced("difference { object { U scale .75 } sphere { 0, .5 } }", -.75);
+    assert_traced("difference { box { -9, 9 } object { U inverse } }", -1.0);
+    assert_traced("intersection { union { box { -5, 5 inverse } object { U } } sphere { 0, 9 } }", -1.0);
+    assert_traced("intersection { merge { object { U } box { -.5, .5 } } box { -9, 9 } }", 3.0);
+    assert_traced("difference { box { -9, 9 } object { U } }", 3.0);
+}
+
 static void the_normals_of_a_smooth_triangle_are_blended_in_the_scene(void **state)
 {
 #define SMOOTH "smooth_triangle { <-2,-2,0>, <1,0,-1>, <2,-2,0>, <0,3,-1>, <0,2,0>, -z "
@@ -255,6 +277,7 @@ int main(void)
         cmocka_unit_test(a_triangle_that_cuts_is_all_that_is_seen),
         cmocka_unit_test(a_triangle_beside_solids_in_a_union_is_traced_in_a_solid),
         cmocka_unit_test(what_a_triangle_leaves_of_solids_is_traced),
+        cmocka_unit_test(faces_within_a_union_are_traced_in_groups_as_they_are_seen),
         cmocka_unit_test(the_normals_of_a_smooth_triangle_are_blended_in_the_scene),
         cmocka_unit_test(faces_with_a_corner_that_is_no_number_are_left_out),
         cmocka_unit_test(a_polygon_may_be_asked_and_holds_nothing),
