@@ -264,9 +264,10 @@ static void normal(const void *self, const pov_ray *ray, const pov_crossing *at,
         out->z = sign;
 }
 
+/* Faces belong to the box, as in POV-Ray: points of a grid often lie on them. */
 static bool is_between(double p, double p_lo, const pov_two plane[2])
 {
-    return pov_two_offset(p, p_lo, plane[0]).hi > 0.0 && pov_two_offset(p, p_lo, plane[1]).hi < 0.0;
+    return pov_two_offset(p, p_lo, plane[0]).hi >= 0.0 && pov_two_offset(p, p_lo, plane[1]).hi <= 0.0;
 }
 
 static bool inside(const void *self, pov_vec3 point, pov_vec3 point_lo)

@@ -136,6 +136,13 @@ static void a_point_is_inside_where_the_clips_are(void **state)
 }
 
 /* Not even where it cuts or is inverse: what it cuts from is gone, and of both only the surface in it is left. */
+static void the_faces_of_a_box_belong_to_it(void **state)
+{
+    (void)state;
+    assert_value("#declare S = box { <-.64, -1, 0>, 1 }", "1 + inside(S, x) + inside(S, <-.64, 0, .5>) + inside(S, <1, -1, 0>)", 4.0);
+    assert_value("#declare S = sphere { 0, 1 }", "1 + inside(S, x)", 1.0);
+}
+
 static void a_triangle_holds_nothing(void **state)
 {
     (void)state;
@@ -273,6 +280,7 @@ int main(void)
         cmocka_unit_test(each_transformation_of_a_group_moves_the_box_before_it),
         cmocka_unit_test(what_is_clipped_away_is_not_met),
         cmocka_unit_test(a_point_is_inside_where_the_clips_are),
+        cmocka_unit_test(the_faces_of_a_box_belong_to_it),
         cmocka_unit_test(a_triangle_holds_nothing),
         cmocka_unit_test(a_triangle_that_cuts_is_all_that_is_seen),
         cmocka_unit_test(a_triangle_beside_solids_in_a_union_is_traced_in_a_solid),
