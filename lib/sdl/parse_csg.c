@@ -95,14 +95,20 @@ static uint32_t find_moves(const object_parsed *o, const around *a)
     return s->has_look ? moves : 0;
 }
 
-/* uv_mapping of a group holds for all that is in it. A texture whose own object says so stays; others have moved before. */
+/* As in POV-Ray uv_mapping of a group holds for all in it but what has an interior_texture of its own. */
+static bool says_uv(const object_parsed *o, const around *a)
+{
+    const surface_parsed *s = parse_surface_of(o);
+
+    for (; a && !s->uv && !(s->has_look && s->inside); a = a->outer)
+        s = parse_surface_of(a->group);
+    return s->uv;
+}
+
+/* A texture whose own object says so stays; others have moved before. */
 static void spread_uv(pov_reader *in, const object_parsed *o, const around *a, const transform *map, uint32_t moves, surface_parsed *s)
 {
-    bool says = parse_surface_of(o)->uv;
-
-    for (; a; a = a->outer)
-        says |= parse_surface_of(a->group)->uv;
-    if (!says || s->uv || in->failed)
+    if (s->uv || in->failed || !says_uv(o, a))
         return;
     if (moves > 0)
         parse_surface_move(in, s, parse_last_transforms(in, map, moves));

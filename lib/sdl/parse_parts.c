@@ -121,11 +121,9 @@ void parse_component_move(pov_reader *in, const transform *moves)
     parts->stale = true;
 }
 
-/* The own texture was written behind the first of the transformations, those of the parts before all of them. */
-static const texture *own_texture(pov_reader *in, const surface_parsed *s, const transform *map, uint32_t moves)
+/* Textures of the object were written behind the first of the transformations, those of the parts before all of them. */
+static const texture *own_texture(pov_reader *in, const texture *own, const surface_parsed *s, const transform *map, uint32_t moves)
 {
-    const texture *own = parse_surface_node(in, s);
-
     for (; map && moves > 0; moves--)
         map = map->before;
     return own && map && !s->uv ? textures_move(in, own, parse_invert_transforms(in, map)) : own;
@@ -153,7 +151,8 @@ void parse_parts_surface(pov_reader *in, const object_parsed *o, const transform
     memset(&node, 0, sizeof node);
     for (uint32_t i = 0; i < o->part_count; i++)
         all[i] = textures_move(in, o->parts[i], part_moves(o, map, s));
-    all[o->part_count] = own_texture(in, s, map, moves);
+    all[o->part_count] = own_texture(in, parse_surface_node(in, s), s, map, moves);
+    s->inside = own_texture(in, s->inside, s, map, moves);
     node.blend = BLEND_PARTS;
     node.count = o->part_count + 1;
     node.textures = all;

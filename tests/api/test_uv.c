@@ -60,6 +60,7 @@ static void it_counts_for_all_that_is_in_an_object(void **state)
         { "union { object { P uv_mapping texture { T } } scale 1.1 }", 0.59934 },
         { "intersection { object { P uv_mapping } sphere { 0, 3 } texture { T } scale 1.1 }", 0.59031 },
         { "merge { union { object { P texture { T } scale 1.1 } } uv_mapping texture { S } }", 0.59031 },
+        { "union { object { P texture { T } interior_texture { S } scale 1.1 } uv_mapping }", 0.53410 },
         { "difference { object { P texture { T } scale 1.1 } sphere { 0, .2 } uv_mapping cutaway_textures }", 0.59031 },
         { "object { M uv_mapping }", 0.67124 },
         { "object { M uv_mapping scale 1.1 }", 0.66818 },
@@ -86,6 +87,20 @@ static void it_counts_for_all_that_is_in_an_object(void **state)
             fail_msg("%s: %f, not %f", seen[i].text, (double)p[0], seen[i].value);
         free(p);
     }
+}
+
+/* Of a mesh with textures of faces too; against POV-Ray 3.7. */
+static void an_interior_texture_stays_where_what_is_before_it_moved_the_mesh(void **state)
+{
+    static const char text[] = "#version 3.7; camera { orthographic location <.3, .2, -10> direction z right .001*x up .001*y } "
+        "mesh { triangle { <-1, -1, 0>, <1, -1, 0>, <1, 1, 0> } triangle { x, 2*x, 2*x + y texture { pigment { rgb 1 } } } scale 1.1 "
+        "texture { pigment { rgb 1 } } interior_texture { pigment { gradient x scale 8 translate -4 } finish { ambient 1 diffuse 0 } } "
+        "scale 1.2 rotate 180*x }";
+    float *p = scenes_draw(text, 1, 1, 1, 1);
+
+    (void)state;
+    assert_true(fabs((double)p[0] - 0.53125) < 2e-5);
+    free(p);
 }
 
 /* At heights of the axis, against POV-Ray 3.7; 2 stands for no hit. */
@@ -143,6 +158,7 @@ int main(void)
         cmocka_unit_test(it_counts_for_a_pigment_a_texture_and_a_material),
         cmocka_unit_test(it_counts_for_every_layer),
         cmocka_unit_test(it_counts_for_all_that_is_in_an_object),
+        cmocka_unit_test(an_interior_texture_stays_where_what_is_before_it_moved_the_mesh),
         cmocka_unit_test(bumps_do_not_turn_with_the_object),
     };
 
