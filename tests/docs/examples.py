@@ -31,7 +31,7 @@ ROOT = Path(__file__).resolve().parents[2]
 BUILD = Path(os.environ.get('BUILD_DIR', ROOT / 'build'))
 CC = os.environ.get('CC', 'cc')
 STRICT = ['-std=c99', '-Wall', '-Wextra', '-Wpedantic', '-Wshadow', '-Werror', '-ffp-contract=off']
-LIMIT_S = 120
+LIMIT_S = 600
 DONE = ('run', 'checked', 'compared', 'compiled', 'compiled and run', 'saved')
 PART = re.compile(r'^<!-- example: (?P<comment>.*?) ?-->\n|^```(?P<language>\w*)\n(?P<text>.*?)^```$', re.M | re.S)
 
