@@ -13,7 +13,7 @@ typedef struct pov_box { pov_vec3 lo, hi; } pov_box;
 typedef struct pov_affine { double m[3][4], m_lo[3][4], inv[3][4], inv_lo[3][4]; } pov_affine;
 
 /* The lesser and the greater of two numbers, as fmin() and fmax() have it: a NaN is left out. Those of the C library are calls, and
- * of instructions from before AVX, for which Intel's processors wait 300 cycles while the upper halves of vectors hold something. */
+ * of instructions from before AVX: an Intel Xeon waits a tenth of a microsecond for them while upper halves of vectors hold something. */
 static inline double pov_min(double a, double b) { return a < b || b != b ? a : b; }
 static inline double pov_max(double a, double b) { return a > b || b != b ? a : b; }
 static inline float pov_minf(float a, float b) { return a < b || b != b ? a : b; }
