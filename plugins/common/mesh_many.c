@@ -81,15 +81,26 @@ static void defer(search *s, uint32_t i, uint32_t face, double lo, double hi)
     COMMON_PREFETCH(&s->mesh->faces[face]);
 }
 
-/* Of any crossing it does not matter where it is. */
-static void take_any(search *s, uint32_t i, uint32_t first, uint32_t maybe)
+/* Is it enough that the face is passed between these distances? Of any crossing, and of the number of them, it does not matter where
+ * they are. */
+static inline bool is_enough(const pov_hits *hits, double lo, double hi)
 {
-    for (; maybe && !(s->done & bit_of(i)); maybe &= maybe - 1) {
-        const uint32_t face = first + common_first_lane(maybe);
+    return (hits->want == POV_WANT_ANY || hits->count_only) && lo > hits->tmin && hi < hits->tmax - hits->slack;
+}
 
-        if (face != s->left[i])
-            test_face(s, i, face, false);
-    }
+/* A face that is certainly passed, between these distances. */
+static void take_sure(search *s, uint32_t i, uint32_t face, double lo, double hi)
+{
+    pov_hits *hits = s->hits[i];
+
+    if (lo > s->limit[i] || hi < hits->tmin)
+        return;
+    if (s->defers && lo > hits->tmin)
+        defer(s, i, face, lo, hi);
+    else if (!is_enough(hits, lo, hi))
+        test_face(s, i, face, true);
+    else if (!pov_cross(hits, lo, 0.0, common_mark(face, 0)))
+        s->done |= bit_of(i);
 }
 
 static void take_faces(search *s, uint32_t i, uint32_t first, const common_face_found *found)
@@ -99,28 +110,25 @@ static void take_faces(search *s, uint32_t i, uint32_t first, const common_face_
 
     for (maybe = found->maybe; maybe && !(s->done & bit_of(i)); maybe &= maybe - 1) {
         const uint32_t lane = common_first_lane(maybe), face = first + lane;
-        const bool sure = found->sure >> lane & 1;
         const double a = (double)found->lo[lane] * pace, b = (double)found->hi[lane] * pace;
         const double off = (fabs(near) + fabs(a) + fabs(b)) * 0x1p-46;
-        const double lo = near + common_lesser(a, b) - off;
 
-        if (face == s->left[i] || (sure && lo > s->limit[i]))
+        if (face == s->left[i])
             continue;
-        if (sure && s->defers && lo > s->hits[i]->tmin)
-            defer(s, i, face, lo, near + common_greater(a, b) + off);
+        if (found->sure >> lane & 1)
+            take_sure(s, i, face, near + common_lesser(a, b) - off, near + common_greater(a, b) + off);
         else
-            test_face(s, i, face, sure);
+            test_face(s, i, face, false);
     }
 }
 
+/* Most blocks that a ray comes to have no face that it may pass; where the nearest is sought more have one. */
 static void visit_face(search *s, uint32_t i, uint32_t first, uint32_t count, const float *block, uint32_t k)
 {
     common_face_found found;
 
-    if (!s->defers) {
-        take_any(s, i, first + k, common_face_find_any(block, count, k, &s->views, i));
+    if (!s->defers && !common_face_find_any(block, count, k, &s->views, i))
         return;
-    }
     common_face_find(block, count, k, &s->views, i, &found);
     if (found.maybe)
         take_faces(s, i, first + k, &found);
