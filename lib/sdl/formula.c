@@ -502,16 +502,18 @@ bool formula_compile(pov_reader *in, symbol *const *parameters, uint32_t count, 
     return !in->failed;
 }
 
+enum { SAME_LANES = 1 / (NOISE_FUNCTION_LANES == (int)PROGRAM_LANES) };   /* a program's lanes are those of noise */
+
 bool formula_internal(pov_reader *in, uint32_t number, program *out)
 {
-    const program_host host = { noise_function_find(number), NULL, in->model, internal_arguments(number) };
+    const program_host host = { noise_function_value, noise_function_values, in->model, internal_arguments(number) };
     compiler c;
 
     memset(&c, 0, sizeof c);
     c.in = in;
     c.next = c.most = internal_arguments(number);
-    if (host.value && noise_of(in))
-        emit_host(&c, 0, 0, host, 0);
+    if (noise_function_exists(number) && noise_of(in))
+        emit_host(&c, 0, 0, host, number);
     else
         emit(&c, PROGRAM_INTERNAL, 0, 0, number);
     conclude(&c, internal_arguments(number), 0, out);

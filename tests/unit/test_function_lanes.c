@@ -18,6 +18,7 @@ static const char *const declared =
     "#declare S = function { spline { cubic_spline -2, <0, 1, 2> 0, <1, 0, 3> 1, <2, 2, 1> 3, <0, 0, 1> } };\n"
     "#declare T = function { transform { rotate <10, 20, 30> translate <1, 2, 3> } };\n"
     "#declare I = function { internal(17) }; #declare N = function { internal(76) }; #declare R = function { internal(59) };\n"
+    "#declare H = function { internal(29) }; #declare D = function { internal(58) }; #declare V = function { internal(78) };\n"
     "#declare Nested = function { pigment { function { P(x, y, 2*z).green + G(y, z, x) } } };\n";
 
 static const char *const formulas[] = {
@@ -25,6 +26,8 @@ static const char *const formulas[] = {
     "sin(x) + atan2(y, z) + pow(abs(x), y) + min(x, y, z) + mod(x*5, 2) + sqrt(abs(z))", "select(x, y, z) + select(y, 1, 2, x)",
     "F(x, y, z) + F(z, F(y, x, 1), x)", "sum(i, 1, 4, i*x) + prod(i, 1, 3, i + y)", "G(x, y, z)*2", "P(x, y, z).red + P(z, x, y).transmit",
     "S(x).y + T(x, y, z).z", "I(x, y, z, 1, 2, .5) + N(x, y, z)", "R(x, y, z, 1, 2, 4, 1, 2, 2)",
+    "H(x, y, z, .5, 2, 3.5, .4, 2, 1) + D(y, x, z, 2, 3.5, .6, .7, .8, 3) + V(z, y, x, 2)",
+    "R(x, y, z, 1, 2, 1 + abs(y), 1, z, 2) + H(x, y, z, x, 2, 2, y, 1, 1) + D(x, y, z, 2, abs(z), y, .5, .5, 2) + V(x, y, z, 2 + y)",
     "Nested(x, y, z).blue", "x", "0.25",
 };
 
