@@ -7,6 +7,10 @@ cd "$1" || exit 1
 have() {
     command -v "$1" > /dev/null || { echo "programs: $1 is not installed: its scenes are left out" >&2; return 1; }
 }
+# within SECONDS PROGRAM...: says only what went wrong.
+within() {
+    timeout "$@" > said 2>&1 < /dev/null || { echo "programs: failed, or took longer than that: $*" >&2; tail -n 3 said >&2; }
+}
 
 cat > molecule.xyz <<'END'
 9
@@ -23,18 +27,18 @@ H -0.0227  1.1812 -0.8852
 END
 
 if have obabel; then
-    obabel molecule.xyz -O openbabel_sticks.pov > /dev/null
-    obabel molecule.xyz -O openbabel_bas.pov -xm BAS > /dev/null
-    obabel molecule.xyz -O openbabel_spacefill.pov -xm SPF > /dev/null
-    obabel molecule.xyz -O openbabel_capped.pov -xm CST > /dev/null
-    obabel molecule.xyz -O openbabel_clear.pov -xt -xc -xf -xs > /dev/null
+    within 60 obabel molecule.xyz -O openbabel_sticks.pov
+    within 60 obabel molecule.xyz -O openbabel_bas.pov -xm BAS
+    within 60 obabel molecule.xyz -O openbabel_spacefill.pov -xm SPF
+    within 60 obabel molecule.xyz -O openbabel_capped.pov -xm CST
+    within 60 obabel molecule.xyz -O openbabel_clear.pov -xt -xc -xf -xs
 fi
 if have jmol && have xvfb-run; then
     for view in 'spacefill 25%; wireframe 0.15' 'spacefill; wireframe off' 'isosurface sasurface translucent' \
                 'spacefill 25%; select *; halos on' 'geosurface 0.5; spacefill 20%'; do
         name=jmol_$(echo "$view" | tr -dc 'a-z0-9')
         echo "load molecule.xyz; $view; write POVRAY $name.pov; exitJmol" > script.spt
-        timeout 120 xvfb-run -a jmol -n -o -g160x120 -s script.spt > /dev/null 2>&1
+        within 120 xvfb-run -a jmol -n -o -g160x120 -s script.spt
     done
 fi
 if have inkscape; then
@@ -44,7 +48,7 @@ if have inkscape; then
 <path d="M60 60 L120 60 L90 120 Z" fill="#2060c0" fill-opacity=".6"/>
 </svg>
 END
-    inkscape drawing.svg --export-filename=inkscape_drawing.pov > /dev/null 2>&1
+    within 120 inkscape drawing.svg --export-filename=inkscape_drawing.pov
     [ ! -e inkscape_drawing.pov ] || cat >> inkscape_drawing.pov <<'END'
 camera { location <100, 100, -250> look_at <100, 100, 0> }
 light_source { <0, 300, -300> rgb 1 }
@@ -64,12 +68,12 @@ sphere Cl 1 .3 Green
 bond Na Cl .1 2 3 White
 end
 END
-    timeout 60 xvfb-run -a DRAWxtl55 drawxtl_salt.str < /dev/null > /dev/null 2>&1
+    timeout 30 xvfb-run -a DRAWxtl55 drawxtl_salt.str < /dev/null > /dev/null 2>&1   # its window stays open
     rm -f drawxtl_salt.[!p]*
 fi
 if have voro++; then
     awk 'BEGIN { srand(3); for (i = 0; i < 60; i++) print i, rand(), rand(), rand() }' > cells
-    voro++ -y 0 1 0 1 0 1 cells
+    within 60 voro++ -y 0 1 0 1 0 1 cells
     mv cells_p.pov cells_p.inc
     mv cells_v.pov cells_v.inc
     cat > voro_cells.pov <<'END'
@@ -86,7 +90,7 @@ fi
 if have polymake; then
     printf 'use application "polytope";\n%s\n' \
         'povray(cube(3)->VISUAL(FacetColor => "255 100 50", FacetTransparency => .4), File => "polymake_solid");' > solid.pl
-    polymake --script solid.pl < /dev/null > /dev/null 2>&1
+    within 300 polymake --script solid.pl
     scene=$(sed -n 's/^#include "\(.*polymake-scene.pov\)"/\1/p' polymake_solid.pov)
     cp "$scene" polymake-scene.inc
     sed -i 's/^#include ".*polymake-scene.pov"/#include "polymake-scene.inc"/' polymake_solid.pov
@@ -101,8 +105,8 @@ digraph parts {
   scene -> camera; scene -> light [color="#ff0000"]; scene -> object [style=dashed, label="many"]; object -> texture [penwidth=3];
 }
 END
-    dot -Tpov graph.dot -o graphviz_parts.pov 2> /dev/null
-    dot -Kneato -Tpov graph.dot -o graphviz_springs.pov 2> /dev/null
+    within 60 dot -Tpov graph.dot -o graphviz_parts.pov
+    within 60 dot -Kneato -Tpov graph.dot -o graphviz_springs.pov
 fi
 if have osgconv; then
     printf 'newmtl red\nKa .2 .1 .1\nKd .8 .2 .1\nKs .5 .5 .5\nNs 40\n' > pyramid.mtl
@@ -129,7 +133,7 @@ f 2/1/3 3/2/3 5/3/3
 f 3/1/4 4/2/4 5/3/4
 f 4/1/5 1/2/5 5/3/5
 END
-    osgconv -o 60-1,0.2,0.3 pyramid.obj osg_pyramid.pov > /dev/null 2>&1
+    within 60 osgconv -o 60-1,0.2,0.3 pyramid.obj osg_pyramid.pov
     [ ! -e osg_pyramid.pov ] || echo 'light_source { <2, 3, -5> rgb 1 }' >> osg_pyramid.pov
 fi
 if have grass; then
@@ -145,7 +149,7 @@ v.random output=sites npoints=12 seed=2 --q
 v.voronoi input=sites output=cells --q
 v.out.pov input=cells output=grass_areas.inc zmod=+30 objmod="pigment { rgbt <.3, .6, .4, .5> }" --q
 END
-    timeout 100 grass --tmp-location XY --exec sh map.sh > /dev/null 2>&1
+    within 120 grass --tmp-location XY --exec sh map.sh
     cat > grass_map.pov <<'END'
 #version 3.6;
 camera { location <32, 70, -40> look_at <32, 10, 28> }
@@ -160,7 +164,7 @@ fi
 if have mesh2pov; then
     printf 'Triangle\n3D-Nodes 5\n0 0 0 0 0 0\n1 1 0 1 0 0\n2 2 0 1 1 0\n3 3 0 0 1 0\n4 4 0 .5 .5 .8\n\n' > walls.lsm
     printf 'Tri3 4\n0 0 0 1 4\n1 0 1 2 4\n2 0 2 3 4\n3 0 3 0 4\n' >> walls.lsm
-    mesh2pov -i walls.lsm -o esys_walls.inc > /dev/null
+    within 60 mesh2pov -i walls.lsm -o esys_walls.inc
     cat > esys_walls.pov <<'END'
 camera { location <3, 2, 3> look_at <.5, .5, .3> sky z }
 light_source { <5, 3, 8> rgb 1 }
@@ -168,13 +172,14 @@ light_source { <5, 3, 8> rgb 1 }
 END
 fi
 if [ -e /usr/include/avogadro/rendering/povrayvisitor.h ]; then
-    ${CXX:-g++} -I/usr/include/eigen3 -I/usr/include/avogadro "$here/with_avogadro.cpp" -lAvogadroRendering -lAvogadroCore -o writer
-    ./writer > avogadro_molecule.pov
+    within 120 ${CXX:-g++} -I/usr/include/eigen3 -I/usr/include/avogadro "$here/with_avogadro.cpp" -lAvogadroRendering -lAvogadroCore -o writer
+    timeout 60 ./writer > avogadro_molecule.pov
 fi
 if have blender; then
-    timeout 300 blender -b --python-exit-code 1 --python "$here/with_blender.py" -- "$PWD" > /dev/null
+    within 300 blender -b --python-exit-code 1 --python "$here/with_blender.py" -- "$PWD"
 fi
 if have freecadcmd; then
-    SCENES=$PWD timeout 120 freecadcmd "$here/with_freecad.py" < /dev/null > /dev/null
+    export SCENES="$PWD"
+    within 120 freecadcmd "$here/with_freecad.py"
 fi
-rm -f molecule.xyz script.spt drawing.svg cells cells.vol solid.pl graph.dot pyramid.obj pyramid.mtl map.sh walls.lsm writer
+rm -f molecule.xyz script.spt drawing.svg cells cells.vol solid.pl graph.dot pyramid.obj pyramid.mtl map.sh walls.lsm writer said

@@ -6,14 +6,17 @@ of their own; Jmol, Open Babel, Inkscape, DRAWxtl, Voro++, polymake, Graphviz, O
 Blender and FreeCAD are used where the system has them (Debian: jmol xvfb openbabel inkscape drawxtl voro++ polymake graphviz
 openscenegraph grass-core esys-particle libavogadro-dev blender freecad-python3). Then the calls by which ASE, vapory,
 fdray, PyMOL, plato and povplot render are made with povc under the name `povray`, and tests/corpus/corpus.py compares the scenes.
+Graphviz's differ: their mist lies behind transparent polygons too, and not in POV-Ray (docs/language.md, fog).
 
 Mayavi, PyVista and ParaView write what VTK writes. RasMol, Gdis, Wings 3D, LeoCAD and Structure Synth write scenes by their
 menus alone; OVITO, gmsh, Geomview, MeshLab and Assimp write none (any more).
 """
 import argparse
 import os
+import signal
 import subprocess
 import sys
+import tempfile
 import venv
 from pathlib import Path
 
@@ -21,7 +24,24 @@ HERE = Path(__file__).parent
 PACKAGES = {'ase': ['ase', 'scikit-image'], 'vapory': ['vapory'], 'pymol': ['pymol-open-source'], 'vtk': ['vtk'],
             'fdray': ['fdray'], 'plato': ['plato-draw'], 'povplot': ['povplot', 'jinja2<3.1', 'matplotlib<3.9'],
             'pypdb2pov': ['pypdb2pov']}
+INSTALL_LIMIT, DRAW_LIMIT = 300, 1200   # seconds, of a busy machine
 RENDERING = ('ase', 'vapory', 'pymol', 'fdray', 'plato', 'povplot')
+
+
+def run(command, seconds, path=None):
+    """Whether the command succeeded, and what it said. What it started ends with it."""
+    environment = dict(os.environ, PATH=f'{path}:{os.environ["PATH"]}') if path else None
+    with tempfile.TemporaryFile() as said:
+        process = subprocess.Popen(command, env=environment, stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=said,
+                                   start_new_session=True)
+        try:
+            status = process.wait(seconds)
+        except subprocess.TimeoutExpired:
+            os.killpg(process.pid, signal.SIGKILL)
+            process.wait()
+            return False, f'it took longer than {seconds} s'
+        said.seek(0)
+        return status == 0, said.read().decode('utf-8', 'replace')[-2000:].strip()
 
 
 def python_with_packages(folder):
@@ -31,22 +51,30 @@ def python_with_packages(folder):
         venv.create(folder, with_pip=True)
     there = []
     for name, packages in PACKAGES.items():
-        done = subprocess.run([python, '-m', 'pip', 'install', '-q', '--disable-pip-version-check', *packages], check=False)
-        if done.returncode == 0:
+        print(f'programs: installing {name}', file=sys.stderr, flush=True)
+        # Few of the modules are imported: compiling all of them takes minutes.
+        ok, said = run([python, '-m', 'pip', 'install', '-q', '--no-compile', '--no-input', '--disable-pip-version-check', *packages],
+                       INSTALL_LIMIT)
+        if ok:
             there.append(name)
         else:
-            print(f'programs: {name} could not be installed: its scenes are left out', file=sys.stderr)
+            print(f'programs: {name} could not be installed, its scenes are left out: {said}', file=sys.stderr, flush=True)
     return python, there
 
 
-def call(command, path=None):
-    """Did it succeed?"""
-    environment = dict(os.environ, PATH=f'{path}:{os.environ["PATH"]}') if path else None
-    done = subprocess.run(command, env=environment, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, check=False,
-                          timeout=1200)
-    if done.returncode:
-        print(done.stderr.decode('utf-8', 'replace')[-2000:], file=sys.stderr)
-    return done.returncode == 0
+def write_scenes(python, names, scenes):
+    """Returns the names that failed."""
+    commands = {name: [python, HERE / f'with_{name}.py', scenes] for name in names}
+    commands['others'] = ['sh', HERE / 'others.sh', scenes]
+    failed = []
+    for name, command in commands.items():
+        ok, said = run(command, DRAW_LIMIT)
+        print(f'{"ok" if ok else "not ok"} {name} writes its scenes', flush=True)
+        if not ok or name == 'others':   # which says what it left out
+            print(said, file=sys.stderr, flush=True)
+        if not ok:
+            failed.append(name)
+    return failed
 
 
 def render_by_name(python, names, work, povc):
@@ -63,10 +91,12 @@ def render_by_name(python, names, work, povc):
         before = set(folder.glob('*.png'))
         for old in before:
             old.unlink()
-        ok = call([python, HERE / f'with_{name}.py', folder, link], programs)
+        ok, said = run([python, HERE / f'with_{name}.py', folder, link], DRAW_LIMIT, programs)
         pictures = [p for p in folder.glob('*.png') if p.stat().st_size > 100]
-        print(f'{"ok" if ok and pictures else "not ok"} {name} renders {len(pictures)} pictures by the name povray', flush=True)
-        if not (ok and pictures):
+        ok = ok and pictures
+        print(f'{"ok" if ok else "not ok"} {name} renders {len(pictures)} pictures by the name povray', flush=True)
+        if not ok:
+            print(said, file=sys.stderr, flush=True)
             failed.append(name)
     return failed
 
@@ -80,10 +110,8 @@ def main():
     scenes = work / 'scenes'
     scenes.mkdir(parents=True, exist_ok=True)
     python, names = python_with_packages(work / 'venv')
-    for name in names:
-        call([python, HERE / f'with_{name}.py', scenes])
-    call(['sh', HERE / 'others.sh', scenes])
-    failed = render_by_name(python, [n for n in RENDERING if n in names], work, povc)
+    failed = write_scenes(python, names, scenes)
+    failed += render_by_name(python, [n for n in RENDERING if n in names], work, povc)
     corpus = subprocess.run([sys.executable, HERE.parent / 'corpus' / 'corpus.py', '--povc', povc, '--scenes', scenes,
                              '--work', work], check=False)
     return 1 if failed or corpus.returncode else 0
