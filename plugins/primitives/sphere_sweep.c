@@ -184,7 +184,7 @@ COMMON_INLINE uint32_t roots_of(const double *a, int n, double *root)
 typedef struct interval { double lo, hi, u_lo, u_hi; uint32_t piece_lo, piece_hi; } interval;
 
 /* The ray from a point near, along a direction of length one. */
-typedef struct line { pov_vec3 o, d; double base, unit; const common_ray *k; } line;
+typedef struct line { pov_vec3 o, d; double base, unit; const common_ray *k; uint32_t flags; } line;
 
 /* Where it passes the centre, and the square of half its way within the sphere. */
 COMMON_INLINE void find_field(const line *n, const piece *p, int degree, double *pass, double *field)
@@ -342,7 +342,7 @@ static uint32_t unite(interval *at, uint32_t count, interval v)
 static bool report(const line *n, double s, uint32_t number, double u, pov_hits *hits)
 {
     const pov_two t = pov_two_sum(n->base, s * n->unit);
-    const pov_mark mark = { number, 0, u, 0.0 };
+    const pov_mark mark = { number, n->flags, u, 0.0 };
 
     return pov_cross(hits, t.hi * n->k->unit, t.lo * n->k->unit, mark);
 }
@@ -351,6 +351,26 @@ static bool report(const line *n, double s, uint32_t number, double u, pov_hits 
 static bool is_start(const pov_ray *ray, bool from_here, double s, uint32_t number)
 {
     return from_here && fabs(s) < (number == ray->origin_mark.feature ? NEAR : BESIDE);
+}
+
+/* Does the line certainly pass beside all spheres of a linear piece? Squares of radii less those of distances, by the square of the
+ * direction's length, are a polynomial of degree two: its Bernstein coefficients are below zero. */
+static bool misses_piece(const piece *p, const common_ray *k)
+{
+    const pov_vec3 f = pov_two3_hi(k->f), d = k->d, from = pov_sub(pov_vec3_of(p->c[0][0], p->c[1][0], p->c[2][0]), f);
+    const pov_vec3 a = pov_cross_product(from, d), b = pov_add(a, pov_cross_product(pov_vec3_of(p->c[0][1], p->c[1][1], p->c[2][1]), d));
+    const double r = p->c[3][0], q = r + p->c[3][1], dd = pov_dot(d, d), size = 1.0 + pov_largest(f), off = 0x1p-40 * dd * size * size;
+
+    return r * r * dd - pov_dot(a, a) < -off && r * q * dd - pov_dot(a, b) < -off && q * q * dd - pov_dot(b, b) < -off;
+}
+
+static bool misses(const sweep *s, const common_ray *k)
+{
+    uint32_t i = 0;
+
+    while (s->degree == 1 && i < s->count && misses_piece(&s->at[i], k))
+        i++;
+    return i == s->count;
 }
 
 static void intersect(const void *self, const pov_ray *ray, pov_hits *hits)
@@ -363,15 +383,17 @@ static void intersect(const void *self, const pov_ray *ray, pov_hits *hits)
     uint32_t count = 0;
     line n;
 
-    if (s->count == 0 || !common_clip(&k, s->lo, s->hi, &span) || span.hi < 0.0 || span.lo * k.unit > hits->tmax)
+    if (misses(s, &k) || !common_clip(&k, s->lo, s->hi, &span) || span.hi < 0.0 || span.lo * k.unit > hits->tmax)
         return;
     n.k = &k;
+    n.flags = s->count == 1 && s->degree == 1 ? POV_MARK_CLOSED : 0;   /* it is the convex hull of two spheres */
     n.base = from_here ? 0.0 : span.lo;
     n.unit = 1.0 / sqrt(pov_dot(k.d, k.d));
     n.o = common_along(&k, n.base);
     n.d = pov_scale(k.d, n.unit);
     for (uint32_t i = 0; i < s->count; i++) {
-        const uint32_t more = common_clip(&k, s->at[i].lo, s->at[i].hi, &own) ? find_intervals(&n, s, i, found) : 0;
+        const bool may_hit = s->count == 1 || (s->degree == 1 ? !misses_piece(&s->at[i], &k) : common_clip(&k, s->at[i].lo, s->at[i].hi, &own));
+        const uint32_t more = may_hit ? find_intervals(&n, s, i, found) : 0;
 
         for (uint32_t j = 0; j < more; j++)
             count = unite(at, count, found[j]);
