@@ -218,7 +218,7 @@ corpus-asan:
 # Scenes as programs write them today: the programs are installed where they can be, and render by the name povray.
 .PHONY: programs
 programs: all
-	$(PYTHON) tests/programs/programs.py --povc $(POVC) --work $(BUILD)/programs
+	$(PYTHON) tests/programs/programs.py --povc $(POVC) --work $(BUILD)/programs $(PROGRAMS_FLAGS)
 
 # What povc says of its error against references of 65 536 samples a pixel, which take over an hour the first time.
 VALIDATE_FLAGS ?=

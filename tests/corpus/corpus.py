@@ -281,6 +281,7 @@ def write_tables(rows, path, options):
     causes = known_causes()
     counts = collections.Counter(verdict(row) for row in rows)
     pairs = [row for row in rows if row['matches'] and row['their_cpu'] and row['cpu']]
+    of_programs = ''.join(path.read_text().partition('<!-- programs -->')[1:]) if path.exists() else ''   # programs.py writes it
     with open(path, 'w') as out:
         out.write('# The scenes that come with POV-Ray\n\n'
                   '`make corpus CORPUS_FLAGS="--refine --page docs/corpus.md"` draws them with povc and with POV-Ray 3.7 and writes this page. '
@@ -293,6 +294,7 @@ def write_tables(rows, path, options):
         if pairs:
             write_times(pairs, out)
         write_others([row for row in rows if not row['matches']], causes, out)
+        out.write(f'\n{of_programs}' if of_programs else '')
 
 
 def write_times(pairs, out):

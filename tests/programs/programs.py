@@ -12,8 +12,10 @@ Mayavi, PyVista and ParaView write what VTK writes. RasMol, Gdis, Wings 3D, LeoC
 menus alone; OVITO, gmsh, Geomview, MeshLab and Assimp write none (any more).
 """
 import argparse
+import csv
 import os
 import signal
+import statistics
 import subprocess
 import sys
 import tempfile
@@ -25,6 +27,7 @@ PACKAGES = {'ase': ['ase', 'scikit-image'], 'vapory': ['vapory'], 'pymol': ['pym
             'fdray': ['fdray'], 'plato': ['plato-draw'], 'povplot': ['povplot', 'jinja2<3.1', 'matplotlib<3.9'],
             'pypdb2pov': ['pypdb2pov']}
 INSTALL_LIMIT, DRAW_LIMIT = 300, 1200   # seconds, of a busy machine
+MARK = '<!-- programs -->'   # of corpus.py too, which leaves what stands behind it
 RENDERING = ('ase', 'vapory', 'pymol', 'fdray', 'plato', 'povplot')
 
 
@@ -101,10 +104,39 @@ def render_by_name(python, names, work, povc):
     return failed
 
 
+def ratios(rows, theirs, ours):
+    return [float(row[theirs]) / float(row[ours]) for row in rows if row[theirs] and row[ours] and float(row[ours]) > 0]
+
+
+def table(rows):
+    """A row for each program whose scenes were drawn, and one for all."""
+    names = sorted({row['scene'].split('_')[0] for row in rows})
+    lines = ['| program | scenes | match | whole process | tracing | least of tracing |', '|---|---|---|---|---|---|']
+    for name in (*names, 'all'):
+        some = [row for row in rows if name in ('all', row['scene'].split('_')[0])]
+        match = [row for row in some if row['verdict'] == 'matches']
+        whole, trace = ratios(match, 'povray_s', 'povc_s'), ratios(match, 'povray_trace_s', 'povc_trace_s')
+        numbers = ''.join(f' {of(values):.1f} |' if values else ' |'
+                          for of, values in ((statistics.median, whole), (statistics.median, trace), (min, trace)))
+        lines.append(f'| {name} | {len(some)} | {len(match)} |{numbers}')
+    differs = ', '.join(row['scene'] for row in rows if row['verdict'] != 'matches')
+    return '\n'.join(lines) + '\n\n' + (f'These do not match: {differs}.\n' if differs else 'All match.\n')
+
+
+def write_section(rows, path):
+    """The part of docs/corpus.md that starts at the mark."""
+    rest = path.read_text().partition(MARK)[0] if path.exists() else ''
+    path.write_text(f'{rest}{MARK}\n## Scenes as programs write them\n\n'
+                    '`make programs PROGRAMS_FLAGS="--page docs/corpus.md"` installs the programs where it can, has them write their scenes and '
+                    'writes this table. Pictures are as above. POV-Ray takes so many times as long as povc, in the median of a '
+                    'program\'s scenes that match (wall time of whole processes; processor time of tracing):\n\n' + table(rows))
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument('--povc', type=Path, default=Path('build/bin/povc'))
     parser.add_argument('--work', type=Path, default=Path('build/programs'))
+    parser.add_argument('--page', type=Path, help='write the table of docs/corpus.md there')
     options = parser.parse_args()
     povc, work = options.povc.resolve(), options.work.resolve()
     scenes = work / 'scenes'
@@ -114,6 +146,9 @@ def main():
     failed += render_by_name(python, [n for n in RENDERING if n in names], work, povc)
     corpus = subprocess.run([sys.executable, HERE.parent / 'corpus' / 'corpus.py', '--povc', povc, '--scenes', scenes,
                              '--work', work], check=False)
+    if options.page:
+        with open(work / 'corpus.csv', newline='') as file:
+            write_section(list(csv.DictReader(file)), options.page)
     return 1 if failed or corpus.returncode else 0
 
 
