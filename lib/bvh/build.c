@@ -305,6 +305,16 @@ static void name_slice(void *user, uint32_t slice, int unused)
     bvh_frame_convert(b->frame, b->in, b->refs, begin, end);
 }
 
+/* A node of one leaf. */
+static bool bound_leaf(worker *h, const job *j)
+{
+    bvh_draft_node *node = make_node(h, j, 1);
+
+    if (node)
+        set_child(j, &node->child[0], &j->range);
+    return node != NULL;
+}
+
 /* Build the draft of the whole tree. */
 static bool grow_all(builder *b, bvh_draft_child *root, worker *workers)
 {
@@ -325,7 +335,7 @@ static bool grow_all(builder *b, bvh_draft_child *root, worker *workers)
     bvh_range_measure(&all.range, b->refs, b->threads);
     all.range.is_leaf = is_leaf(b, &all.range);
     if (all.range.is_leaf)
-        return true;
+        return !b->in->bounds_leaf || bound_leaf(&workers[0], &all);
     done = grow(&workers[0], &all);
     if (done && b->threads > 1) {
         share_work(b->threads, (uint32_t)b->threads, work, workers);

@@ -71,6 +71,7 @@ typedef struct bvh_input {
     /* Objects of one group share leaves if the group allows it; others get leaves of their own. By id, and by group. */
     const uint16_t *group;
     const bool *shares_leaf;
+    bool bounds_leaf;            /* where all is one leaf: a node above it holds its box, as nothing else tells who misses it */
     int threads;
     bvh_leaves leaves;
 } bvh_input;

@@ -265,6 +265,14 @@ static void drop_boxes(void *user)
     compile_drop_boxes(user);
 }
 
+/* Do no filters tell of an object that rays miss it? */
+static bool is_unfiltered(const compile_state *f, uint32_t id)
+{
+    const shape_group *g = &f->groups[f->group[id]];
+
+    return !g->instanced && !g->shares_leaf && !leaf_batch_may_filter(g->shape);
+}
+
 static bool make_tree(layout *l)
 {
     compile_state *f = l->batches.state;
@@ -279,6 +287,7 @@ static bool make_tree(layout *l)
         .count = f->finite_count,
         .group = f->group,
         .shares_leaf = f->shares_leaf,
+        .bounds_leaf = is_unfiltered(f, f->finite[0]),
         .threads = f->threads,
         .leaves = { leaf_size, leaf_allocate, leaf_fill, leaves_filled, l },
     };

@@ -461,10 +461,35 @@ static void rays_of_every_length_and_distance_are_the_same(void **state)
     model_free(&m);
 }
 
+/* Nothing but its box tells which rays miss a brick; of a sphere a filter does. */
+static void one_object_without_a_filter_has_a_node(void **state)
+{
+    const test_brick brick = { { -0.5, -0.5, 0.0 }, { 0.5, 0.5, 1.0 } };
+    const test_sphere_shape sphere = { { 0.0, 0.0, 0.0 }, 0.5 };
+    test_random r = { 41 };
+
+    (void)state;
+    for (int filtered = 0; filtered < 2; filtered++) {
+        model m;
+        pair p;
+
+        test_model_init(&m, NULL);
+        test_add_light(&m, 1.0f);
+        test_add(&m, filtered ? &test_sphere_class : &test_brick_class, filtered ? (const void *)&sphere : &brick, NULL, 0, 0);
+        make_pair(&p, &m);
+        assert_true(p.tree->has_tree);
+        assert_int_equal(p.tree->tree.node_count, filtered ? 0 : 1);
+        assert_true(trace(&p, &r, 300, 1.0, origin) > 20);
+        free_pair(&p);
+        model_free(&m);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(small_and_large_mixtures_are_the_same),
+        cmocka_unit_test(one_object_without_a_filter_has_a_node),
         cmocka_unit_test(scenes_of_every_scale_are_the_same),
         cmocka_unit_test(scenes_far_from_the_origin_are_the_same),
         cmocka_unit_test(scenes_of_very_uneven_sizes_are_the_same),
