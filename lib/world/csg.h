@@ -80,7 +80,8 @@ typedef struct csg_turned { double all, of_axis; pov_vec3 axis; csg_turned_kind 
 
 typedef struct csg_outline {
     uint32_t count, member[CSG_COLUMNS];     /* columns: of chords theirs, else the members that are not absent */
-    uint32_t hidden, bare;       /* columns, as bits: they are not seen; they are quadrics without slabs, of any kind */
+    uint32_t hidden, bare;       /* columns, as bits: they are not seen; they are quadrics without slabs, of any kind; */
+    uint32_t halves;             /* half-spaces, which a ray crosses once */
     uint32_t asked;              /* columns, as bits: members with a box whose crossings no slab or quadric tells; */
     uint32_t held;               /* clips with gaps, which are asked what they hold */
     bool walked;                 /* surfaces with gaps show: the outline only tells which rays pass the tree */

@@ -3,7 +3,7 @@
 #include "world/csg_outline.h"
 #include "world/internal.h"
 
-/* Rays whose members are entered there, by the caller's number: the nearest crossing is that. */
+/* Rays whose members are entered there, or crossed once, by the caller's number: the nearest crossing is that. */
 typedef struct entries {
     const csg_member *member[WORLD_MANY];
     const pov_ray *ray[WORLD_MANY];
@@ -108,25 +108,25 @@ static bool report(const csg_tree *t, const pov_ray *ray, const pov_hits *found,
 
 void csg_cross_many(const void *const *selves, const pov_ray *const *rays, pov_hits *const *hits, uint32_t n)
 {
-    uint64_t entering = 0;
+    uint64_t nearest = 0;
     entries e;
 
     for (uint32_t i = 0; i < n; i++) {
         const csg_tree *t = ((const csg_root *)selves[i])->tree;
         const csg_first first = first_of_note(((const csg_user *)hits[i]->user)->note);
 
-        if (!first.enters) {
+        if (!first.enters && !(t->outline->halves >> first.column & 1)) {
             cross(selves[i], rays[i], hits[i]);
             continue;
         }
         begin(&e, i, &t->members[t->outline->member[first.column]], rays[i], hits[i]);
-        entering |= (uint64_t)1 << i;
+        nearest |= (uint64_t)1 << i;
     }
-    to_own_spaces(&e, entering);
-    for (uint64_t left = entering; left; )
+    to_own_spaces(&e, nearest);
+    for (uint64_t left = nearest; left; )
         left = ask_class(&e, left, ((const csg_user *)hits[0]->user)->scratch->classes);
-    for (; entering; entering &= entering - 1) {
-        const uint32_t i = first_of64(entering);
+    for (; nearest; nearest &= nearest - 1) {
+        const uint32_t i = first_of64(nearest);
 
         if (!report(((const csg_root *)selves[i])->tree, rays[i], &e.found[i], hits[i]))
             csg_intersect(selves[i], rays[i], hits[i]);

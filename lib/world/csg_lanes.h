@@ -67,10 +67,19 @@ SIMD_INLINE double csg_lanes_near(const csg_near_rays *restrict k, uint32_t i, d
     return endless ? CSG_OUTLINE_MARGIN * (k->of[CSG_NEAR_FROM][i] + fabs(at)) : CSG_OUTLINE_MARGIN;
 }
 
-SIMD_INLINE void csg_lanes_cross_slab(const double *restrict number, uint32_t column, csg_near_rays *restrict k, bool endless)
+/* Numbers of a slab or quadric in memory of their own: the outline's would have to be told from the rays' each time that a loop begins. */
+SIMD_INLINE void csg_lanes_take(const double *restrict from, uint32_t n, double *restrict out)
+{
+    for (uint32_t i = 0; i < n; i++)
+        out[CSG_FOUR * i] = from[CSG_FOUR * i];
+}
+
+SIMD_INLINE void csg_lanes_cross_slab(const double *restrict of, uint32_t column, csg_near_rays *restrict k, bool endless)
 {
     const double least = endless ? HUGE_VAL : CSG_LEAST_HEIGHT;
+    double number[CSG_FOUR * CSG_SLAB_NUMBERS];
 
+    csg_lanes_take(of, CSG_SLAB_NUMBERS, number);
     SIMD_LOOP for (uint32_t i = 0; i < CSG_TOGETHER; i++)
         csg_lanes_narrow(csg_cross_slab(number, csg_near_at(k, i), csg_near_along(k, i), least), column, i, k);
 }
@@ -79,8 +88,7 @@ SIMD_INLINE void csg_lanes_cross_quadric(const double *restrict of, uint32_t col
 {
     double number[CSG_FOUR * CSG_QUADRIC_NUMBERS];
 
-    for (uint32_t i = 0; i < CSG_QUADRIC_NUMBERS; i++)
-        number[CSG_FOUR * i] = of[CSG_FOUR * i];
+    csg_lanes_take(of, CSG_QUADRIC_NUMBERS, number);
     SIMD_LOOP for (uint32_t i = 0; i < CSG_TOGETHER; i++) {
         csg_stretch s = csg_cross_quadric(number, csg_near_at(k, i), csg_near_along(k, i), endless ? k->of[CSG_NEAR_FROM][i] : 1.0);
 
@@ -89,9 +97,12 @@ SIMD_INLINE void csg_lanes_cross_quadric(const double *restrict of, uint32_t col
     }
 }
 
-SIMD_INLINE void csg_lanes_cross_turned(const double *restrict number, const csg_turned *by, bool has_axis, uint32_t column,
+SIMD_INLINE void csg_lanes_cross_turned(const double *restrict of, const csg_turned *by, bool has_axis, uint32_t column,
                                         csg_near_rays *restrict k)
 {
+    double number[CSG_FOUR * CSG_QUADRIC_NUMBERS];
+
+    csg_lanes_take(of, CSG_QUADRIC_NUMBERS, number);
     SIMD_LOOP for (uint32_t i = 0; i < CSG_TOGETHER; i++)
         csg_lanes_narrow(csg_cross_turned(number, by, has_axis, csg_near_at(k, i), csg_near_along(k, i), k->of[CSG_NEAR_SQUARE][i]),
                          column, i, k);

@@ -279,6 +279,7 @@ static bool ask_columns(const csg_tree *t, csg_outline *of, bool any, pov_outlin
         of->within |= (uint32_t)m->needed << i;
         of->convex |= (uint32_t)(m->needed && (!all[i].round || m->shape->flags & POV_SHAPE_CONVEX)) << i;
         of->bare |= (uint32_t)(all[i].round && all[i].slabs == 0) << i;
+        of->halves |= (uint32_t)(!all[i].round && all[i].lo[0] == -HUGE_VAL) << i;
         of->slabs += all[i].slabs;
         of->quadrics += all[i].round;
     }
