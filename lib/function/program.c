@@ -156,13 +156,13 @@ static const double *arguments_of(row *from, uint32_t count, uint32_t lane, doub
     return out;
 }
 
-static void ask_host(const program_host *host, row *from, uint32_t part, uint32_t n, double *to)
+static void ask_host(const program_host *host, row *from, uint32_t part, uint32_t n, void *memo, double *to)
 {
     double own[INTERNAL_ARGUMENTS_MAX];
     row v;
 
     if (host->values)
-        host->values(host->self, from[0], part, n, v);
+        host->values(host->self, from[0], part, n, memo, v);
     else
         for (uint32_t l = 0; l < n; l++)
             v[l] = host->value(host->self, arguments_of(from, host->arguments, l, own), part);
@@ -185,16 +185,16 @@ static void take_lanes(const instruction *i, row *r, uint32_t n)
         }
 }
 
-static void call_lanes(const program *callee, row *arguments, row *registers, uint32_t n, double *to)
+static void call_lanes(const program *callee, row *arguments, row *registers, uint32_t n, void *memo, double *to)
 {
     row v;
 
     memcpy(registers, arguments, callee->parameters * sizeof *registers);
-    program_run_many(callee, registers[0], n, v);
+    program_run_many(callee, registers[0], n, memo, v);
     memcpy(to, v, n * sizeof *v);
 }
 
-static void step_lanes(const program *p, const instruction *i, row *r, uint32_t n)
+static void step_lanes(const program *p, const instruction *i, row *r, uint32_t n, void *memo)
 {
     switch ((program_op)i->op) {
     case PROGRAM_CONSTANT:
@@ -207,8 +207,8 @@ static void step_lanes(const program *p, const instruction *i, row *r, uint32_t 
             r[i->to][l] = -r[i->a][l];
         break;
     case PROGRAM_ONE: case PROGRAM_TWO: case PROGRAM_SELECT: case PROGRAM_INTERNAL: take_lanes(i, r, n); break;
-    case PROGRAM_HOST: ask_host(&p->hosts[i->b], r + i->a, i->c, n, r[i->to]); break;
-    case PROGRAM_CALL: call_lanes(p->callees[i->b], r + i->a, r + p->registers, n, r[i->to]); break;
+    case PROGRAM_HOST: ask_host(&p->hosts[i->b], r + i->a, i->c, n, memo, r[i->to]); break;
+    case PROGRAM_CALL: call_lanes(p->callees[i->b], r + i->a, r + p->registers, n, memo, r[i->to]); break;
     default: take_row((program_op)i->op, r[i->a], r[i->b], r[i->to]); break;
     }
 }
@@ -222,7 +222,7 @@ static bool has_jumps(const program *p)
     return false;
 }
 
-void program_run_many(const program *p, double *registers, uint32_t n, double *out)
+void program_run_many(const program *p, double *registers, uint32_t n, void *memo, double *out)
 {
     row *const r = (row *)registers;
     double *const own = registers + PROGRAM_LANES * (size_t)p->capacity;
@@ -235,6 +235,6 @@ void program_run_many(const program *p, double *registers, uint32_t n, double *o
         return;
     }
     for (uint32_t i = 0; i < p->count; i++)
-        step_lanes(p, &p->code[i], r, n);
+        step_lanes(p, &p->code[i], r, n, memo);
     memcpy(out, r[p->result], n * sizeof *out);
 }

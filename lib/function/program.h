@@ -30,8 +30,8 @@ enum { PROGRAM_LANES = 16 };
 /* What others compute: noise, patterns, pigments. Any thread may ask. */
 typedef struct program_host {
     double (*value)(const void *self, const double *arguments, uint32_t part);
-    /* Of the first n lanes, with the same bits; may be NULL. */
-    void (*values)(const void *self, const double *arguments, uint32_t part, uint32_t n, double *out);
+    /* Of the first n lanes, with the same bits; may be NULL. memo: as program_run_many() was given it. */
+    void (*values)(const void *self, const double *arguments, uint32_t part, uint32_t n, void *memo, double *out);
     const void *self;
     uint32_t arguments;
 } program_host;
@@ -52,8 +52,9 @@ typedef struct program {
 double program_run(const program *p, double *registers);
 
 /* The same for n lanes, n up to PROGRAM_LANES, with the same bits. `registers` has room for program_lanes_capacity(); the first hold the
- * arguments of all lanes, of which those from n on may be any numbers. */
-void program_run_many(const program *p, double *registers, uint32_t n, double *out);
+ * arguments of all lanes, of which those from n on may be any numbers. memo: where hosts keep what they were asked, for who runs several
+ * programs of the same points; or NULL. */
+void program_run_many(const program *p, double *registers, uint32_t n, void *memo, double *out);
 static inline size_t program_lanes_capacity(const program *p) { return (PROGRAM_LANES + 1) * (size_t)p->capacity; }
 
 /* The number of a function of one or two arguments; -1: unknown name. */

@@ -2,6 +2,7 @@
 
 #include "sdl/expression.h"
 #include "sdl/spline.h"
+#include "texture/inner.h"
 #include "texture/points.h"
 
 static pov_vec3 vector_of(const double *at) { return pov_vec3_of(at[0], at[1], at[2]); }
@@ -29,12 +30,48 @@ static void put_colour(const pigment *p, double out[5])
     out[4] = (double)p->transmit;
 }
 
-static void parts_of_pigment(const function *f, const texture_points *points, uint32_t part, uint32_t n, double *out)
+enum { SAME_LANES = 1 / (FUNCTION_LANES == (int)PROGRAM_LANES) };   /* a memo has room for what a program asks at once */
+
+static bool is_said(const function_said *s, const function *f, const vec_lanes *at, uint32_t n)
 {
-    pigment found[LANES_MAX];
+    const size_t size = n * sizeof at->x[0];
+
+    return s->of == f && s->n == n && memcmp(s->at[0], at->x, size) == 0 && memcmp(s->at[1], at->y, size) == 0 &&
+           memcmp(s->at[2], at->z, size) == 0;
+}
+
+static void note_question(function_said *s, const function *f, const vec_lanes *at, uint32_t n)
+{
+    s->of = f;
+    s->n = n;
+    memcpy(s->at[0], at->x, n * sizeof at->x[0]);
+    memcpy(s->at[1], at->y, n * sizeof at->y[0]);
+    memcpy(s->at[2], at->z, n * sizeof at->z[0]);
+}
+
+/* The pigments there, from the memo if it has them; else it does then. */
+static const pigment *recall(const function *f, const texture_points *points, uint32_t n, function_memo *memo)
+{
+    function_said *s;
+
+    for (uint32_t i = 0; i < memo->count; i++)
+        if (is_said(&memo->said[i], f, &points->at, n))
+            return memo->said[i].found;
+    memo->next = memo->count < FUNCTION_MEMO ? memo->count++ : (memo->next + 1) % FUNCTION_MEMO;
+    s = &memo->said[memo->next];
+    note_question(s, f, &points->at, n);
+    pigment_eval(f->model, f->pigment, points, n, s->found);
+    return s->found;
+}
+
+static void parts_of_pigment(const function *f, const texture_points *points, uint32_t part, uint32_t n, function_memo *memo, double *out)
+{
+    pigment own[LANES_MAX];
+    const pigment *found = memo ? recall(f, points, n, memo) : own;
     double v[5];
 
-    pigment_eval(f->model, f->pigment, points, n, found);
+    if (!memo)
+        pigment_eval(f->model, f->pigment, points, n, own);
     for (uint32_t i = 0; i < n; i++) {
         put_colour(&found[i], v);
         out[i] = expression_part(v, (int)part);
@@ -79,7 +116,7 @@ static double other_value(const function *f, const double *at, uint32_t part)
 }
 
 /* Argument a of point i is at[a * apart + i]. */
-static void find_values(const function *f, const double *at, uint32_t apart, uint32_t part, uint32_t n, double *out)
+static void find_values(const function *f, const double *at, uint32_t apart, uint32_t part, uint32_t n, function_memo *memo, double *out)
 {
     const double *y = at + apart, *z = y + apart;
     texture_points points;
@@ -90,7 +127,7 @@ static void find_values(const function *f, const double *at, uint32_t apart, uin
     if (f->kind == FUNCTION_PATTERN)
         values_of_pattern(f, &points, n, out);
     else
-        parts_of_pigment(f, &points, part, n, out);
+        parts_of_pigment(f, &points, part, n, memo, out);
 }
 
 static bool is_textural(const function *f) { return f->kind == FUNCTION_PATTERN || f->kind == FUNCTION_PIGMENT; }
@@ -101,16 +138,16 @@ double function_host_value(const void *self, const double *at, uint32_t part)
 
     if (!is_textural(self))
         return other_value(self, at, part);
-    find_values(self, at, 1, part, 1, &found);
+    find_values(self, at, 1, part, 1, NULL, &found);
     return found;
 }
 
-void function_host_values(const void *self, const double *at, uint32_t part, uint32_t n, double *out)
+void function_host_values(const void *self, const double *at, uint32_t part, uint32_t n, void *memo, double *out)
 {
     const function *f = self;
 
     if (is_textural(f))
-        find_values(f, at, PROGRAM_LANES, part, n, out);
+        find_values(f, at, PROGRAM_LANES, part, n, memo, out);
     else
         for (uint32_t i = 0; i < n; i++) {
             /* A spline has one argument only. */

@@ -35,13 +35,13 @@ static void values_of_formula(const pov_function *self, const double *arguments,
     const program *p = &((const served *)(const void *)self)->of->program;
 
     memcpy(memory, arguments, p->parameters * POV_VALUES * sizeof *memory);
-    program_run_many(p, memory, n, out);
+    program_run_many(p, memory, n, NULL, out);
 }
 
 static void values_of_other(const pov_function *self, const double *arguments, uint32_t n, double *memory, double *out)
 {
     (void)memory;
-    function_host_values(((const served *)(const void *)self)->of, arguments, 0, n, out);
+    function_host_values(((const served *)(const void *)self)->of, arguments, 0, n, NULL, out);
 }
 
 const pov_function *host_function(pov_reader *in, uint32_t n)

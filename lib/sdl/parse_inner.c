@@ -96,22 +96,22 @@ static void run_each(const program *p, const double *at, uint32_t n, double *out
 }
 
 /* The registers of a large program would fill too much of the stack side by side. */
-static void run(const function *f, const double *at, uint32_t n, double *out)
+static void run(const function *f, const double *at, uint32_t n, function_memo *memo, double *out)
 {
     enum { SIDE_BY_SIDE = 2 * REGISTERS_MAX };
     double registers[SIDE_BY_SIDE];
 
     if (f->kind != FUNCTION_FORMULA) {
-        function_host_values(f, at, 0, n, out);
+        function_host_values(f, at, 0, n, memo, out);
     } else if (n == 1 || program_lanes_capacity(&f->program) > SIDE_BY_SIDE) {
         run_each(&f->program, at, n, out);
     } else {
         memcpy(registers, at, 3 * PROGRAM_LANES * sizeof *registers);
-        program_run_many(&f->program, registers, n, out);
+        program_run_many(&f->program, registers, n, memo, out);
     }
 }
 
-static void values_of_function(const void *self, const vec_lanes *points, uint32_t n, double *out)
+static void values_of_function(const void *self, const vec_lanes *points, uint32_t n, function_memo *memo, double *out)
 {
     double at[3][PROGRAM_LANES] = { { 0.0 } };
 
@@ -120,7 +120,7 @@ static void values_of_function(const void *self, const vec_lanes *points, uint32
         memcpy(at[0], points->x + first, some * sizeof at[0][0]);
         memcpy(at[1], points->y + first, some * sizeof at[0][0]);
         memcpy(at[2], points->z + first, some * sizeof at[0][0]);
-        run(self, at[0], some, out + first);
+        run(self, at[0], some, memo, out + first);
     }
 }
 

@@ -86,8 +86,10 @@ const pattern_class pattern_pigment_pattern = {
 static void evaluate_function(const pattern_input *in, double *value)
 {
     const function_pattern *self = in->of->self;
+    function_memo own;
 
-    self->values(self->self, in->at, in->n, value);
+    own.count = 0;
+    self->values(self->self, in->at, in->n, in->memo ? in->memo : &own, value);
     for (uint32_t i = 0; i < in->n; i++)
         value[i] = value[i] > 1.0 ? value[i] - floor(value[i]) : value[i];
 }

@@ -18,9 +18,23 @@ typedef struct solid_part {
 typedef struct object_pattern { const solid_part *solid; } object_pattern;
 typedef struct pigment_pattern { const pigment_node *pigment; } pigment_pattern;
 
+/* What pigments gave for functions lately, each for a few points: members of an average often ask one for its components, each of the same
+ * points. Begin with a count of 0. */
+enum { FUNCTION_LANES = 16, FUNCTION_MEMO = 8 };
+typedef struct function_said {
+    const void *of;
+    uint32_t n;
+    double at[3][FUNCTION_LANES];
+    pigment found[FUNCTION_LANES];
+} function_said;
+typedef struct function_memo {
+    uint32_t count, next;        /* next: the one that goes when all are there */
+    function_said said[FUNCTION_MEMO];
+} function_memo;
+
 /* What a function of x, y and z is asked with. */
 typedef struct function_pattern {
-    void (*values)(const void *self, const vec_lanes *at, uint32_t n, double *out);
+    void (*values)(const void *self, const vec_lanes *at, uint32_t n, function_memo *memo, double *out);
     const void *self;
 } function_pattern;
 

@@ -47,6 +47,7 @@ typedef struct pattern_input {
     uint32_t waves;              /* number_of_waves */
     const model *model;
     const struct texture_points *points;   /* where the points come from: their surfaces */
+    struct function_memo *memo;  /* what members of an average have asked; or NULL */
 } pattern_input;
 
 enum {

@@ -343,7 +343,7 @@ pattern_input points_input(const model *m, const pattern *p, const texture_point
 {
     const pattern_input input = { at, n, p, in->has_surface ? &in->normal : NULL, in->has_surface ? &in->view : NULL,
                                   m->noise, p->noise_generator ? p->noise_generator : m->noise_generator,
-                                  m->number_of_waves, m, in };
+                                  m->number_of_waves, m, in, NULL };
 
     return input;
 }

@@ -68,7 +68,7 @@ static void check_program(const program *p, const char *formula, uint64_t *state
         for (uint32_t i = 0; i < 3 * PROGRAM_LANES; i++)
             at[i / PROGRAM_LANES][i % PROGRAM_LANES] = draw(state);
         memcpy(many, at, sizeof at);
-        program_run_many(p, many, n, out);
+        program_run_many(p, many, n, NULL, out);
         for (uint32_t i = 0; i < n; i++) {
             double alone;
 

@@ -127,6 +127,40 @@ static void an_average_has_shares_by_weight(void **state)
     reading_end(&r);
 }
 
+#define OF_FUNCTIONS \
+    "#declare F = function { pigment { bozo turbulence .4 color_map { [0 rgb <.1, .9, .4>] [1 rgb <.8, .2, .7>] } } }\n" \
+    "#declare G = function { pigment { granite color_map { [0 rgb <.3, .1, .6>] [1 rgb <.5, .8, .2>] } scale .3 } }\n" \
+    "#declare H = function { pattern { agate } }\n" \
+    "#declare A = pigment { function { pow(F(x, y, z).x, 1.5) } color_map { [0 rgb 0] [1 rgb <3, 0, 0>] } }\n" \
+    "#declare B = pigment { function { F(x, y, z).y * F(y, x, z).z } color_map { [0 rgb 0] [1 rgb <0, 3, 0>] } }\n" \
+    "#declare C = pigment { function { F(x, y, z).z + .1 * G(z, x, y).x * H(x, y, z) } color_map { [0 rgb 0] [1 rgb <0, 0, 3>] } }\n" \
+    "#declare D = pigment { function { G(x, y, z).y * G(2 * x, y, z).x } color_map { [0 rgb 0] [1 rgb <0, 1, 3>] } translate x * .3 }\n"
+
+/* Members that ask one pigment for its components, and others, of the same points and of others: each has what it has by itself. */
+static void members_of_an_average_ask_functions_as_if_alone(void **state)
+{
+    enum { POINTS = 41, MEMBERS = 4 };
+    texture_term all[POINTS], own[POINTS];
+    colour sum[POINTS] = { { 0.0f, 0.0f, 0.0f } };
+    double x[POINTS];
+    reading r;
+
+    (void)state;
+    read_text(&r, "#version 3.7;" OF_FUNCTIONS "sphere { 0, 1 pigment { average pigment_map { [1 A] [1 B] [1 C] [1 D] } } }\n"
+                  "sphere { 0, 1 pigment { A } } sphere { 0, 1 pigment { B } } sphere { 0, 1 pigment { C } } sphere { 0, 1 pigment { D } }");
+    for (uint32_t i = 0; i < POINTS; i++)
+        x[i] = 0.137 * (i % 23);
+    assert_int_equal(terms_at(&r, 0, x, POINTS, all), POINTS);
+    for (uint32_t k = 0; k < MEMBERS; k++) {
+        assert_int_equal(terms_at(&r, 1 + k, x, POINTS, own), POINTS);
+        for (uint32_t i = 0; i < POINTS; i++)
+            sum[i] = colour_add(sum[i], colour_scale(own[i].pigment.color, 0.25f));
+    }
+    for (uint32_t i = 0; i < POINTS; i++)
+        assert_memory_equal(&all[i].pigment.color, &sum[i], sizeof sum[i]);
+    reading_end(&r);
+}
+
 /* tile2 has the odd cells. */
 static void lists_of_textures_select_one(void **state)
 {
@@ -435,6 +469,7 @@ int main(void)
         cmocka_unit_test(an_opaque_layer_hides_what_is_below),
         cmocka_unit_test(a_map_of_textures_gives_shares_of_two),
         cmocka_unit_test(an_average_has_shares_by_weight),
+        cmocka_unit_test(members_of_an_average_ask_functions_as_if_alone),
         cmocka_unit_test(lists_of_textures_select_one),
         cmocka_unit_test(a_point_has_the_same_terms_alone_and_beside_others),
         cmocka_unit_test(equal_textures_are_one),
