@@ -20,6 +20,7 @@ typedef struct fog {
 typedef struct rainbow {
     pov_vec3 direction, up;      /* unit */
     double angle, width;         /* degrees */
+    double least_cosine, most_cosine;   /* of all rays that meet the bow, and a few more: to its direction */
     double distance;
     double arc, falloff;         /* degrees from side to side, and in full colour */
     uint32_t count;              /* of the map's colours */

@@ -323,10 +323,20 @@ const rainbow *parse_rainbow_node(pov_reader *in)
     return in->failed ? NULL : keep(in, &r, sizeof r);
 }
 
+/* Between which cosines rays are that may meet the bow. */
+static void set_cosines(rainbow *r)
+{
+    const double degree = 3.14159265358979323846 / 180.0, half = 0.5 * fabs(r->width), spare = 0x1p-30;
+
+    r->least_cosine = cos(pov_min(180.0, pov_max(0.0, r->angle + half)) * degree) - spare;
+    r->most_cosine = cos(pov_min(180.0, pov_max(0.0, r->angle - half)) * degree) + spare;
+}
+
 void parse_rainbow(pov_reader *in, void *self, keyword_id keyword)
 {
     const place at = in->last;
     const rainbow *r = parse_rainbow_node(in);
+    rainbow kept;
 
     (void)self;
     (void)keyword;
@@ -336,6 +346,8 @@ void parse_rainbow(pov_reader *in, void *self, keyword_id keyword)
         report_warn(in, &at, "a rainbow without a \"width\" and a \"color_map\", or whose \"distance\" is not above 0, is left out");
         return;
     }
-    if (!VEC_PUSH(in->model->env, &in->model->rainbows, *r))
+    kept = *r;
+    set_cosines(&kept);
+    if (!VEC_PUSH(in->model->env, &in->model->rainbows, kept))
         report_memory(in);
 }

@@ -70,12 +70,15 @@ static double arc_share(const rainbow *r, pov_vec3 dir)
  * the bow is there. */
 static bool rainbow_veil(const rainbow *r, const segment *s, veil *out)
 {
-    const double angle = elementary_acos(pov_min(1.0, pov_max(-1.0, pov_dot(s->dir, r->direction)))) / degree;
-    const double at = (angle - r->angle + 0.5 * r->width) / r->width;
-    double share, passed;
+    const double cosine = pov_dot(s->dir, r->direction);
+    double angle, at, share, passed;
     float weight, filter;
     pigment c;
 
+    if (cosine < r->least_cosine || cosine > r->most_cosine)
+        return false;
+    angle = elementary_acos(pov_min(1.0, pov_max(-1.0, cosine))) / degree;
+    at = (angle - r->angle + 0.5 * r->width) / r->width;
     if (!(at >= 0.0 && at <= 1.0 && angle < 90.0))
         return false;
     share = arc_share(r, s->dir);
