@@ -65,10 +65,8 @@ bool appearance_transmits(const plan *p, const pigment *at)
 }
 
 /* Members that depend on the pigment, but for the filter. */
-static inline void set_pigment(appearance *out, const plan *p, const pigment *at, float opacity, colour emitted)
+static inline void set_pigment(appearance *out, const plan *p, const finish *f, const pigment *at, float opacity, colour emitted)
 {
-    const finish *f = out->finish;
-
     out->transmissive = appearance_transmits(p, at);
     out->pigment = at->color;
     out->opacity = opacity;
@@ -81,12 +79,13 @@ static inline void set_pigment(appearance *out, const plan *p, const pigment *at
     out->emitted = emitted;
 }
 
-static void paint(appearance *out, const plan *p, const model *m, const pigment *at)
+/* f: what out->finish is, which may have been written just before. */
+static void paint(appearance *out, const plan *p, const model *m, const finish *f, const pigment *at)
 {
     appearance_light own;
 
-    appearance_light_of(&own, m, out->finish, at);
-    set_pigment(out, p, at, own.opacity, own.emitted);
+    appearance_light_of(&own, m, f, at);
+    set_pigment(out, p, f, at, own.opacity, own.emitted);
     onward_set_filter(&out->onward, m, own.filter);
 }
 
@@ -121,7 +120,7 @@ void appearance_make(appearance *out, const plan *p, const model *m, const finis
     out->highlight_cutoff = out->phong == 0.0f ? 0.0 : cutoff_of(f, at->color);
     out->power = power_of(f);
     out->onward.reflection = coefficient_of(f->reflection.max);
-    paint(out, p, m, at);
+    paint(out, p, m, f, at);
     out->needs_point = out->lit || out->gathers || out->reflective || out->transmissive || out->below_weight != 0.0f;
 }
 
@@ -133,25 +132,26 @@ void appearance_set_material(appearance *out, const material *of)
 }
 
 /* Only for metals the colour of the highlight, and so its cut-off, depends on the pigment. */
-static inline void set_cutoff(appearance *out, const pigment *at)
+static inline void set_cutoff(appearance *out, float phong, const finish *f, const pigment *at)
 {
-    if (out->phong != 0.0f && out->finish->metallic != 0.0f)
-        out->highlight_cutoff = cutoff_of(out->finish, at->color);
+    if (phong != 0.0f && f->metallic != 0.0f)
+        out->highlight_cutoff = cutoff_of(f, at->color);
 }
 
 void appearance_paint(appearance *out, const plan *p, const model *m, const appearance *of, const pigment *at)
 {
     *out = *of;
-    paint(out, p, m, at);
-    set_cutoff(out, at);
+    paint(out, p, m, of->finish, at);
+    set_cutoff(out, of->phong, of->finish, at);
 }
 
 void appearance_repaint(appearance *out, const plan *p, const model *m, const pigment *at)
 {
+    const finish *f = out->finish;
     const float opacity = opacity_of(m, at);
 
-    set_pigment(out, p, at, opacity, emitted_by(m, out->finish, at, opacity));
+    set_pigment(out, p, f, at, opacity, emitted_by(m, f, at, opacity));
     if (out->transmissive)
         onward_set_filter(&out->onward, m, material_filter_of(at->color, at->filter, at->transmit));
-    set_cutoff(out, at);
+    set_cutoff(out, out->phong, f, at);
 }
