@@ -97,13 +97,12 @@ SIMD_INLINE void find_never(const csg_tree *t, bool endless, const double *restr
     }
 }
 
-/* Rays and their ends. */
+/* Rays and their ends, all eight of which have a place. */
 SIMD_INLINE void load(const csg_tree *t, const pov_rays *restrict rays, uint32_t first, uint32_t n, csg_near_rays *restrict k,
                       double *restrict most)
 {
     come_near(t->outline, rays, first, n, k);
-    for (uint32_t i = 0; i < n; i++)
-        most[i] = rays->tmax[first + i];
+    memcpy(most, rays->tmax + first, sizeof(csg_lane));
     if (n < CSG_TOGETHER) {
         repeat(k);
         memcpy(most + n, most, sizeof(csg_lane) / 2);

@@ -2,8 +2,6 @@
  * one ray. */
 #include "world/csg_lanes.h"
 
-#include <string.h>
-
 static const double margin = CSG_OUTLINE_MARGIN;
 
 /* Is any lane's other than 0? */
@@ -279,8 +277,10 @@ SIMD_INLINE void find_swept(const csg_tree *t, const pov_rays *restrict rays, bo
         if (!(of->within >> c & 1))
             csg_lanes_cross(of, c, c, k, endless);
     check_near(t, rays, k, endless);
-    SIMD_LOOP for (uint32_t i = 0; i < CSG_TOGETHER; i++)
+    SIMD_LOOP for (uint32_t i = 0; i < CSG_TOGETHER; i++) {
         out->at[i] = close[i] = HUGE_VAL;
+        out->crossing[i] = out->inward[i] = 0.0;
+    }
     for (uint32_t c = 0; c < of->count; c++) {
         try_crossing(of, c, true, k, k->in[c], endless, out, close);
         try_crossing(of, c, false, k, k->out[c], endless, out, close);
@@ -299,7 +299,6 @@ SIMD_INLINE void find_swept(const csg_tree *t, const pov_rays *restrict rays, bo
 SIMD_CLONES SIMD_NOINLINE void csg_lanes_first_swept(const csg_tree *t, const pov_rays *restrict rays, csg_near_rays *restrict k,
                                                 csg_firsts *restrict out)
 {
-    memset(out, 0, sizeof *out);
     if (t->outline->endless)
         find_swept(t, rays, true, k, out);
     else
