@@ -35,14 +35,10 @@ static void find_coincident(shade_context *c, surface *s)
 /* A path that starts on coincident surfaces first hits those that it crosses at the start, then the next ones. */
 static bool hit_single(shade_context *c, surface *s)
 {
-    const path *p = s->from;
-    coincident_set from, on;
+    coincident_set from = c->coincident_sets.items[s->from->coincident - 1], on;
 
-    if (p->coincident) {
-        from = c->coincident_sets.items[p->coincident - 1];
-        from.above = p->above;
-    }
-    if (!passage_step(c->scene->world, c->context, s->ray, p->coincident ? &from : NULL, s->at, &on))
+    from.above = s->from->above;
+    if (!passage_step(c->scene->world, c->context, s->ray, &from, s->at, &on))
         return false;
     if (on.count > 0)
         set_coincident(c, s, &on);
@@ -151,16 +147,42 @@ SIMD_APART static void cross_air_all(shade_context *c, const surfaces *s, batch 
     air_background(c, b, missed, &on, out);
 }
 
+/* Intersect those that do not start on coincident surfaces. Bit i: ray i hits. */
+static uint64_t find_others(shade_context *c, surfaces *s, const batch *b)
+{
+    const pov_ray *rays[BATCH_MAX];
+    uint8_t of[BATCH_MAX];
+    hit hits[BATCH_MAX];
+    uint64_t found, out = 0;
+    uint32_t n = 0;
+
+    for (uint32_t i = 0; i < b->count; i++) {
+        if (b->paths[i].coincident)
+            continue;
+        of[n] = (uint8_t)i;
+        rays[n++] = b->rays[i];
+    }
+    found = n > 0 ? query_nearest(c->scene->world, c->context, rays, n, HUGE_VAL, hits) : 0;
+    for (; found; found &= found - 1) {
+        const uint32_t k = first_of64(found);
+
+        s->hits[of[k]] = hits[k];
+        out |= (uint64_t)1 << of[k];
+    }
+    return out;
+}
+
 /* Intersect rays, some of which start on coincident surfaces. */
 static uint32_t find_each(shade_context *c, surfaces *s, batch *b, bool dims, colour *out)
 {
+    const uint64_t found = find_others(c, s, b);
     uint32_t n = 0;
 
     for (uint32_t i = 0; i < b->count; i++) {
         bool hits;
 
         place(s, &s->at[n], b, i, n);
-        hits = hit_single(c, &s->at[n]);
+        hits = b->paths[i].coincident ? hit_single(c, &s->at[n]) : (found >> i & 1) != 0;
         if (dims)
             cross_air(c, b, i, hits ? &s->at[n] : NULL, out);
         if (hits)
