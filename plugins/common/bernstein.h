@@ -44,8 +44,8 @@ typedef double common_by_bernstein[COMMON_BERNSTEINS];
 typedef struct common_bernsteins { common_by_bernstein b[COMMON_BERNSTEINS_DEGREE + 1], noise, beyond, within; } common_bernsteins;
 
 /* By lane: above 0 where the first root is beyond that place, and that root; where others may follow. Where neither found nor open is above
- * 0 there is none; an open one is to be asked alone. */
-typedef struct common_first_of_bernsteins { common_by_bernstein found, more, open, root; } common_first_of_bernsteins;
+ * 0 there is none; an open one is to be asked alone, unless the only root is known to lie before. */
+typedef struct common_first_of_bernsteins { common_by_bernstein found, more, open, before, root; } common_first_of_bernsteins;
 void common_bernstein_first_many(const common_bernsteins *of, int degree, common_first_of_bernsteins *out);
 /* Of the degree 3 or 4; open is above 0 too where common_bernstein_certain() may leave it so. */
 void common_bernstein_certain_many(const common_bernsteins *of, int degree, common_first_of_bernsteins *out);

@@ -64,7 +64,7 @@ COMMON_INLINE void begin(const common_bernsteins *of, int degree, bool certain, 
         w->least[i] = least_of(&p, degree, HUGE_VAL);
     out->found[i] = changes == 1.0 ? 1.0 : 0.0;
     out->more[i] = 0.0;
-    out->open[i] = 0.0;
+    out->open[i] = out->before[i] = 0.0;
 }
 
 /* Looks at both halves of a lane's part. */
@@ -241,6 +241,7 @@ COMMON_INLINE bool is_any(const double *flags)
         for (uint32_t i = 0; i < N; i++)                                                                                              \
             if (out->found[i] > 0.0 && !(out->root[i] > of->beyond[i])) {                                                             \
                 out->found[i] = 0.0;                                                                                                  \
+                out->before[i] = out->more[i] > 0.0 ? 0.0 : 1.0;                                                                      \
                 out->open[i] = 1.0;                                                                                                   \
             }                                                                                                                         \
     }

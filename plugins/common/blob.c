@@ -3,8 +3,6 @@
 #include "common/bernstein.h"
 #include "common/simd.h"
 
-static const double NEAR = 0x1p-30;
-
 /* d^2 / r^2 = a t^2 + 2 b t + c between two distances; the field adds no more than `most` there. */
 typedef struct stretch { double lo, hi, a, b, c, strength, most; uint32_t number; } stretch;
 
@@ -162,7 +160,7 @@ static bool cross_between(const common_blob *b, const line *n, const stretch *s,
     for (uint32_t i = 0; i < found; i++) {
         const double t = from + root[i] * (to - from);
 
-        if (!(from_here && fabs(t) < NEAR) && !report(n, t, hits))
+        if (!(from_here && fabs(t) < COMMON_BLOB_NEAR) && !report(n, t, hits))
             return false;
     }
     return true;
@@ -183,9 +181,9 @@ void common_blob_cross(const void *self, const pov_ray *ray, const common_entry 
     n.o = common_along(n.k, n.base);
     n.d = n.k->d;
     n.inverse = pov_vec3_of(1.0 / n.d.x, 1.0 / n.d.y, 1.0 / n.d.z);
-    n.span.lo = from_here ? -NEAR : 0.0;
+    n.span.lo = from_here ? -COMMON_BLOB_NEAR : 0.0;
     n.span.hi = e->span.hi - n.base;
-    n.wanted = common_wants(n.k, n.base, from_here ? NEAR : -HUGE_VAL, hits);
+    n.wanted = common_wants(n.k, n.base, from_here ? COMMON_BLOB_NEAR : -HUGE_VAL, hits);
     for (uint32_t i = 0; (i = common_runs_hit(&b->runs, i, n.o, n.inverse, n.span.lo, n.span.hi)) < b->count; i++)
         count += b->at[i].per_square > 0.0 ? find_sphere(&b->at[i], &n, s + count) : find_stretches(&b->at[i], &n, s + count);
     for (uint32_t i = 0; i < count; i++)

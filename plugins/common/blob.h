@@ -40,7 +40,11 @@ static inline pov_vec3 common_blob_mapped(const common_blob_part *c, pov_vec3 p,
 /* Far more than roundings. */
 static inline bool common_blob_stays_below(const common_blob *b, double most) { return most <= b->threshold * (1.0 - 0x1p-30) && b->threshold > 0.0; }
 
+/* A root so near to where a ray starts on the blob is that start. */
+#define COMMON_BLOB_NEAR 0x1p-30
+
 size_t common_blob_scratch(const void *self);
 void common_blob_cross(const void *self, const pov_ray *ray, const common_entry *e, pov_hits *hits);
+void common_blob_first(const void *self, const common_entries *restrict l, common_first_crossings *restrict out);
 
 #endif

@@ -101,10 +101,12 @@ void common_boxed_intersect(const common_boxed *b, common_cross_entry *cross, co
         cross(self, ray, &e, hits);
 }
 
+static inline bool is_own(const pov_ray *ray, const pov_hits *hits) { return ray->origin_surface == hits->owner; }
+
 /* May its first crossing be found beside others'? That one decides where any will do, too: if it is not before the end, none is. */
-static inline bool wants_first(const pov_ray *ray, const pov_hits *hits)
+static inline bool wants_first(const pov_ray *ray, const pov_hits *hits, bool starts)
 {
-    return hits->want != POV_WANT_ALL && ray->origin_surface != hits->owner;
+    return hits->want != POV_WANT_ALL && (starts || !is_own(ray, hits));
 }
 
 static bool has_crossed(const common_entries *l, const common_first_crossings *of, uint32_t i, pov_hits *hits)
@@ -113,20 +115,25 @@ static bool has_crossed(const common_entries *l, const common_first_crossings *o
 
     if (!(of->known[i] > 0.0))
         return false;
-    pov_cross(hits, of->t[i] * l->unit[i], of->t_lo[i] * l->unit[i], mark);
+    if (of->t[i] < HUGE_VAL)
+        pov_cross(hits, of->t[i] * l->unit[i], of->t_lo[i] * l->unit[i], mark);
     return true;
 }
 
 /* Those that want their first crossings side by side, if there are several: a bit each. */
-static uint32_t find_firsts(common_first_of_entries *first, const void *self, common_entries *l, const pov_ray *const *rays, pov_hits *const *hits,
-                            uint32_t n, common_first_crossings *out)
+static uint32_t find_firsts(common_first_of_entries *first, bool starts, const void *self, common_entries *l, const pov_ray *const *rays,
+                            pov_hits *const *hits, uint32_t n, common_first_crossings *out)
 {
     uint32_t some = 0;
 
-    for (uint32_t i = 0; i < N; i++)
-        l->least[i] = hits[common_lane_of(i, n)]->tmin * l->per_unit[i];
+    for (uint32_t i = 0; i < N; i++) {
+        const uint32_t k = common_lane_of(i, n);
+
+        l->least[i] = hits[k]->tmin * l->per_unit[i];
+        l->own[i] = is_own(rays[k], hits[k]) ? 1.0 : 0.0;
+    }
     for (uint32_t i = 0; i < n; i++)
-        some |= (uint32_t)wants_first(rays[i], hits[i]) << i;
+        some |= (uint32_t)wants_first(rays[i], hits[i], starts) << i;
     if (common_count(some) < LEAST)
         return 0;
     first(self, l, out);
@@ -134,7 +141,7 @@ static uint32_t find_firsts(common_first_of_entries *first, const void *self, co
 }
 
 /* Rays of one shape. */
-static void intersect_some(const common_boxed *b, common_cross_entry *cross, common_first_of_entries *first, const void *self,
+static void intersect_some(const common_boxed *b, common_cross_entry *cross, common_first_of_entries *first, bool starts, const void *self,
                            const pov_ray *const *rays, pov_hits *const *hits, uint32_t n)
 {
     common_first_crossings of;
@@ -150,7 +157,7 @@ static void intersect_some(const common_boxed *b, common_cross_entry *cross, com
         enter_half(&lanes, b, &all);
     }
     if (first && n >= LEAST)
-        known = find_firsts(first, self, &all, rays, hits, n, &of);
+        known = find_firsts(first, starts, self, &all, rays, hits, n, &of);
     for (uint32_t i = 0; i < n; i++)
         if (reaches(all.lo[i], all.hi[i], all.unit[i], hits[i]) && !((known >> i & 1) && has_crossed(&all, &of, i, hits[i]))) {
             const common_entry e = common_boxed_entry(&all, i);
@@ -159,7 +166,7 @@ static void intersect_some(const common_boxed *b, common_cross_entry *cross, com
         }
 }
 
-void common_boxed_intersect_many(size_t boxed_at, common_cross_entry *cross, common_first_of_entries *first, const void *const *selves,
+void common_boxed_intersect_many(size_t boxed_at, common_cross_entry *cross, common_first_of_entries *first, bool starts, const void *const *selves,
                                  const pov_ray *const *rays, pov_hits *const *hits, uint32_t n)
 {
     for (uint32_t i = 0, some; i < n; i += some) {
@@ -168,7 +175,7 @@ void common_boxed_intersect_many(size_t boxed_at, common_cross_entry *cross, com
         for (some = 1; some < N && i + some < n && selves[i + some] == selves[i];)
             some++;
         if (some > 1)
-            intersect_some(b, cross, first, selves[i], rays + i, hits + i, some);
+            intersect_some(b, cross, first, starts, selves[i], rays + i, hits + i, some);
         else
             common_boxed_intersect(b, cross, selves[i], rays[i], hits[i]);
     }

@@ -322,6 +322,6 @@ void common_heights_intersect_many(const void *const *selves, const pov_ray *con
         if (some >= LEAST && f->relief.levels)
             cross_many(f, rays + i, hits + i, some);
         else
-            common_boxed_intersect_many(offsetof(common_heights, boxed), common_heights_cross, NULL, selves + i, rays + i, hits + i, some);
+            common_boxed_intersect_many(offsetof(common_heights, boxed), common_heights_cross, NULL, false, selves + i, rays + i, hits + i, some);
     }
 }

@@ -281,8 +281,6 @@ static bool bounds(const void *self, pov_box *out)
     return true;
 }
 
-COMMON_BOXED_CLASS(common_blob, common_blob_cross)
-
 /* ---- points ---- */
 
 /* A component's part of the field, and its slope in the blob's space. */
@@ -354,14 +352,13 @@ static bool inside(const void *self, pov_vec3 point, pov_vec3 point_lo)
     return sum > b->threshold;
 }
 
-static void normal(const void *self, const pov_ray *ray, const pov_crossing *at, pov_vec3 *out)
+static void normal_at(const void *self, pov_vec3 p, const pov_ray *ray, const pov_crossing *at, pov_vec3 *out)
 {
     const common_blob *b = self;
-    const common_ray k = common_enter(ray, b->boxed.anchor, b->boxed.scale);
-    const pov_vec3 p = pov_two3_hi(common_point(&k, at));
     pov_vec3 sum = { 0.0, 0.0, 0.0 }, slope;
     here h;
 
+    (void)at;
     find_here(b, p, &h);
     for (uint32_t i = 0; i < h.count; i++) {
         field_of(component_here(b, &h, i), p, &slope);
@@ -371,6 +368,8 @@ static void normal(const void *self, const pov_ray *ray, const pov_crossing *at,
     if (!(pov_largest(*out) > 0.0))
         *out = pov_scale(pov_unit(ray->dir), -1.0);
 }
+
+COMMON_ROUND_CLASS(common_blob, common_blob_cross, common_blob_first, true, NULL, normal_at)
 
 /* Shares of the field so far, in falling order; the least gives way to a larger one. */
 typedef struct shares { uint32_t *which; double *share; uint32_t count; } shares;

@@ -523,7 +523,7 @@ static void normal_at(const void *self, pov_vec3 p, const pov_ray *ray, const po
         *out = pov_scale(pov_unit(ray->dir), -1.0);
 }
 
-COMMON_ROUND_CLASS(lathe, cross, first, narrow, normal_at)
+COMMON_ROUND_CLASS(lathe, cross, first, false, narrow, normal_at)
 
 /* The front is to the right of the curve's way. */
 static bool reversed(const void *self, const pov_ray *ray, const pov_crossing *at)

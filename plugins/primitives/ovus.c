@@ -416,7 +416,7 @@ static void normal_at(const void *self, pov_vec3 p, const pov_ray *ray, const po
     *out = pov_unit(across_at(self, p, at->mark.feature));
 }
 
-COMMON_ROUND_CLASS(ovus, cross, first, narrow, normal_at)
+COMMON_ROUND_CLASS(ovus, cross, first, false, narrow, normal_at)
 
 /* v is the height's angle, seen from the middle of the axis. Source: measured on POV-Ray 3.7. */
 static void uv(const void *self, pov_vec3 point, const pov_mark *mark, double out[2])

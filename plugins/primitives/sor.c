@@ -380,7 +380,7 @@ static void normal_at(const void *self, pov_vec3 p, const pov_ray *ray, const po
         *out = pov_scale(pov_unit(ray->dir), -1.0);
 }
 
-COMMON_ROUND_CLASS(sor, cross, first, narrow, normal_at)
+COMMON_ROUND_CLASS(sor, cross, first, false, narrow, normal_at)
 
 static bool open(const void *self) { return ((const sor *)self)->open; }
 

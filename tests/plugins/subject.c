@@ -87,6 +87,8 @@ static const struct { const char *keyword, *text; } texts[] = {
     { "sor", "5, <1, 0>, <1, 1>, <2, 2>, <0, 3>, <0, 4> open" },
     { "blob", "threshold 0.5 sphere { <0.5, 0, 0>, 1, 1 } sphere { <-0.5, 0, 0>, 1, 1 }" },
     { "blob", "threshold 0.3 cylinder { <-1, 0, 0>, <1, 0.5, 0>, 0.8, 1 } sphere { <0, 0.3, 0>, 0.6, -0.5 }" },
+    /* Rays without an x are level with the second. */
+    { "blob", "threshold 0.3 cylinder { -z, z, 0.8, 1 } cylinder { -x, x, 0.5, 0.9 } sphere { y, 0.7, 1 }" },
     /* Enough for runs of components. */
     { "blob", "threshold 0.3 cylinder { -y, y, .2, .5 } sphere { <1, -1, 0>, .3, 1 } "
               "sphere { <0.921, -0.96, 0.389>, .3, 1 } sphere { <0.697, -0.92, 0.717>, .3, 1 } "

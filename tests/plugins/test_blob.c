@@ -1,4 +1,4 @@
-/* test_blob.c - a blob of many components is the same in whatever order they are written. */
+/* test_blob.c - a blob of many components is the same in whatever order they are written, and however many rays are asked at once. */
 #include "base/mix.h"
 #include "plug/shape_class.h"
 
@@ -6,9 +6,10 @@
 #include "support/fake_reader.h"
 
 #include <math.h>
+#include <string.h>
 
 /* SAME are in one place, more than a point keeps apart. */
-enum { COMPONENTS = 400, SAME = 60, RAYS = 4000, MOST = 64 };
+enum { COMPONENTS = 400, SAME = 60, RAYS = 4000, MOST = 64, PACKET = 8 };
 
 static const shape_class *blob;
 static uint64_t state = 20261126;
@@ -139,9 +140,73 @@ static void the_order_of_components_does_not_matter(void **user)
     fake_reader_destroy(in);
 }
 
+/* Rays side by side from one place, every other one going on from where it meets the blob. */
+static void set_off(void *self, pov_ray *ray, const pov_ray **rays)
+{
+    const pov_vec3 from = somewhere(2.0);
+    pov_crossing at[MOST];
+
+    for (int i = 0; i < PACKET; i++) {
+        ray[i] = (pov_ray){ .org = from, .dir = pov_sub(somewhere(0.9), from), .origin_surface = POV_NO_OWNER };
+        rays[i] = &ray[i];
+        if (i % 2 == 0 || cross(self, &ray[i], at) == 0)
+            continue;
+        ray[i].org = pov_add(from, pov_scale(ray[i].dir, at[0].t));
+        ray[i].dir = somewhere(1.0);
+        ray[i].origin_surface = 0;
+        ray[i].origin_mark = at[0].mark;
+    }
+}
+
+static void rays_side_by_side_meet_it_as_each_alone(void **user)
+{
+    static double scratch[COMPONENTS * 3 * 16];
+    pov_reader *in = fake_reader_create();
+    written all[COMPONENTS];
+    uint32_t order[COMPONENTS], crossed = 0;
+    void *self;
+
+    (void)user;
+    write_all(all);
+    for (uint32_t i = 0; i < COMPONENTS; i++)
+        order[i] = i;
+    self = make(in, all, order);
+    assert_non_null(self);
+    for (int k = 0; k < RAYS / PACKET; k++) {
+        const void *selves[PACKET];
+        const pov_ray *rays[PACKET];
+        pov_ray ray[PACKET];
+        pov_crossing at[PACKET];
+        pov_hits hits[PACKET], *asked[PACKET];
+
+        set_off(self, ray, rays);
+        memset(at, 0, sizeof at);
+        for (int i = 0; i < PACKET; i++) {
+            selves[i] = self;
+            hits[i] = (pov_hits){ .tmax = HUGE_VAL, .want = POV_WANT_NEAREST, .at = &at[i], .capacity = 1, .owner = 0, .scratch = scratch };
+            asked[i] = &hits[i];
+        }
+        blob->intersect_many(selves, rays, asked, PACKET);
+        for (int i = 0; i < PACKET; i++) {
+            pov_crossing one;
+            pov_hits alone = { .tmax = HUGE_VAL, .want = POV_WANT_NEAREST, .at = &one, .capacity = 1, .owner = 0, .scratch = scratch };
+
+            blob->intersect(self, rays[i], &alone);
+            assert_int_equal(hits[i].count, alone.count);
+            assert_true(alone.count == 0 || (at[i].t == one.t && at[i].t_lo == one.t_lo));
+            crossed += alone.count;
+        }
+    }
+    assert_true(crossed > RAYS / 10);
+    fake_reader_destroy(in);
+}
+
 int main(void)
 {
-    const struct CMUnitTest tests[] = { cmocka_unit_test(the_order_of_components_does_not_matter) };
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(the_order_of_components_does_not_matter),
+        cmocka_unit_test(rays_side_by_side_meet_it_as_each_alone),
+    };
 
     blob = fake_reader_shape("blob");
     return blob ? cmocka_run_group_tests(tests, NULL, NULL) : 1;
