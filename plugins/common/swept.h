@@ -31,7 +31,7 @@ bool common_swept_cross(const common_swept *s, const pov_ray *ray, const common_
 /* Of rays at the box of one that is no cone, or well away from its apex. */
 common_look common_swept_look;
 bool common_swept_may_look(const common_swept *s);
-/* First crossings of rays at its box, as common_swept_cross() reports them; of none that is a cone, or open, or has quadratic pieces. */
+/* First crossings of rays at its box, as common_swept_cross() reports them; of none that is open. */
 void common_swept_first(const common_swept *s, const common_entries *restrict l, common_first_crossings *restrict out);
 bool common_swept_inside(const common_swept *s, pov_two3 point);
 /* Of a crossing of this sweep. */

@@ -1,4 +1,4 @@
-/* The first crossings of rays with a straight sweep, side by side: by the arithmetic of swept.c and outline.c. A lane in which anything is
+/* The first crossings of rays with a sweep, side by side: by the arithmetic of swept.c and outline.c. A lane in which anything is
  * near anything else is not known. */
 #include "common/swept.h"
 
@@ -176,22 +176,31 @@ COMMON_INLINE double fraction_of(double a, double b) { return a + b != 0.0 ? a /
 
 COMMON_INLINE double blend_quadratic(const double *b, double u, double v) { return (b[0] * v + 2.0 * b[1] * u) * v + b[2] * u * u; }
 
-/* Both roots at once, as bernstein.c finds them. */
+/* Both roots at once, as bernstein.c finds them: u, and where `both` v. */
+typedef struct two_roots { double u, v, one, both; } two_roots;
+
+COMMON_INLINE two_roots solve_quadratic(const common_bernsteins *restrict of, uint32_t i, double may)
+{
+    const double b0 = of->b[0][i], b1 = of->b[1][i], b2 = of->b[2][i], d = b1 * b1 - b0 * b2, size = sqrt(d);
+    const double from = b0 >= 0.0 ? 1.0 : 0.0, to = b2 >= 0.0 ? 1.0 : 0.0, turns = b1 > 0.0 ? 1.0 - from : from;
+    const double both = from == to ? d > 0.0 ? fabs(b1) > of->noise[i] ? turns * may : 0.0 : 0.0 : 0.0, one = from == to ? 0.0 : may;
+    const double q = b1 > 0.0 ? -b1 - size : size - b1, positive = q > 0.0 ? 1.0 : 0.0;
+    const double p = fraction_of(q, b2), r = fraction_of(b0, q);
+
+    return (two_roots){ both > 0.0 ? common_lesser(p, r) : positive == to ? p : r, common_greater(p, r), one, both };
+}
+
 COMMON_SEPARATE static void add_quadratic(const lines *restrict n, const common_piece *c, double piece, const double *restrict may,
                                         const common_bernsteins *restrict of, sums *restrict io)
 {
     const double x[3] = { c->x[0], c->x[1], c->x[2] }, y[3] = { c->y[0], c->y[1], c->y[2] };
 
     for (uint32_t i = 0; i < N; i++) {
-        const double b0 = of->b[0][i], b1 = of->b[1][i], b2 = of->b[2][i], d = b1 * b1 - b0 * b2, size = sqrt(d);
-        const double from = b0 >= 0.0 ? 1.0 : 0.0, to = b2 >= 0.0 ? 1.0 : 0.0, turns = b1 > 0.0 ? 1.0 - from : from;
-        const double both = from == to ? d > 0.0 ? fabs(b1) > of->noise[i] ? turns * may[i] : 0.0 : 0.0 : 0.0, one = from == to ? 0.0 : may[i];
-        const double q = b1 > 0.0 ? -b1 - size : size - b1, positive = q > 0.0 ? 1.0 : 0.0;
-        const double p = fraction_of(q, b2), r = fraction_of(b0, q), u = both > 0.0 ? common_lesser(p, r) : positive == to ? p : r;
-        const double v = common_greater(p, r), w = 1.0 - u, z = 1.0 - v;
+        const two_roots r = solve_quadratic(of, i, may[i]);
+        const double w = 1.0 - r.u, z = 1.0 - r.v;
 
-        add(n, i, both + one, place_of(n, i, blend_quadratic(x, u, w), blend_quadratic(y, u, w)), u, piece, io);
-        add(n, i, both, place_of(n, i, blend_quadratic(x, v, z), blend_quadratic(y, v, z)), v, piece, io);
+        add(n, i, r.both + r.one, place_of(n, i, blend_quadratic(x, r.u, w), blend_quadratic(y, r.u, w)), r.u, piece, io);
+        add(n, i, r.both, place_of(n, i, blend_quadratic(x, r.v, z), blend_quadratic(y, r.v, z)), r.v, piece, io);
     }
 }
 
@@ -236,6 +245,146 @@ static void add_pieces(const common_outline *o, const lines *n, sums *io)
     }
 }
 
+/* ---- cones ---- */
+
+/* By lane: the ray from its base on, the plane through it and the apex, and where it passes the height of that. */
+typedef struct cones { lane wx, wy, wz, dx, dy, dz, mx, my, mz, apex; } cones;
+
+COMMON_SEPARATE static void find_cones(const common_entries *restrict l, cones *restrict c, sums *restrict of)
+{
+    for (uint32_t i = 0; i < N; i++) {
+        const double base = l->lo[i], dx = l->d[0][i], dy = l->d[1][i], dz = l->d[2][i];
+        const double wx = pov_two_along(height_of(l, 0, i), base, dx, l->d_lo[0][i]).hi, wy = pov_two_along(height_of(l, 1, i), base, dy, l->d_lo[1][i]).hi;
+        const double wz = pov_two_along(height_of(l, 2, i), base, dz, l->d_lo[2][i]).hi;
+        const pov_vec3 m = pov_cross_product(pov_vec3_of(wx, wy, wz), pov_vec3_of(dx, dy, dz));
+
+        c->wx[i] = wx;
+        c->wy[i] = wy;
+        c->wz[i] = wz;
+        c->dx[i] = dx;
+        c->dy[i] = dy;
+        c->dz[i] = dz;
+        c->mx[i] = m.x;
+        c->my[i] = m.y;
+        c->mz[i] = m.z;
+        c->apex[i] = base - wy / dy;
+        of->open[i] = wx == wy * (dx / dy) ? wz == wy * (dz / dy) ? 1.0 : of->open[i] : of->open[i];
+    }
+}
+
+COMMON_INLINE double place_in(const cones *restrict c, uint32_t i, double x, double y)
+{
+    const pov_vec3 d = pov_vec3_of(c->dx[i], c->dy[i], c->dz[i]), w = pov_vec3_of(c->wx[i], c->wy[i], c->wz[i]), toward = pov_vec3_of(x, 1.0, y);
+    const pov_vec3 across = pov_cross_product(d, toward);
+
+    return -pov_dot(pov_cross_product(w, toward), across) / pov_dot(across, across);
+}
+
+/* A line is outside at the height of the apex: what it crosses on one side of that tells where it begins. */
+COMMON_INLINE void add_of_cone(const lines *restrict n, const cones *restrict c, uint32_t i, double crossed, double s, double u, double piece, sums *restrict io)
+{
+    io->side[i] *= n->base[i] + s < c->apex[i] ? 1.0 - 2.0 * crossed : 1.0;
+    add(n, i, crossed, s, u, piece, io);
+}
+
+/* Returns whether any plane may cross the piece. */
+COMMON_INLINE bool cut(const cones *restrict c, const common_piece *p, int degree, common_bernsteins *restrict out, double *restrict may)
+{
+    const double x[4] = { p->x[0], p->x[1], p->x[2], p->x[3] }, y[4] = { p->y[0], p->y[1], p->y[2], p->y[3] };
+
+    for (uint32_t i = 0; i < N; i++) {
+        const double mx = c->mx[i], my = c->my[i], mz = c->mz[i];
+        double least = HUGE_VAL, most = -HUGE_VAL;
+
+        COMMON_UNROLLED for (int k = 0; k <= degree; k++) {
+            const double b = mx * x[k] + my + mz * y[k];
+
+            out->b[k][i] = b;
+            least = common_lesser(least, b);
+            most = common_greater(most, b);
+        }
+        out->noise[i] = 4.0 * 0x1p-53 * (degree + 1) * common_greater(most, -least);
+        out->beyond[i] = out->within[i] = -HUGE_VAL;
+        may[i] = least < 0.0 ? most >= 0.0 ? 1.0 : 0.0 : 0.0;
+    }
+    return any_of(may);
+}
+
+COMMON_SEPARATE static bool cut_straight(const cones *restrict c, const common_piece *restrict p, common_bernsteins *restrict out, double *restrict may)
+{
+    return cut(c, p, 1, out, may);
+}
+
+COMMON_SEPARATE static bool cut_quadratic(const cones *restrict c, const common_piece *restrict p, common_bernsteins *restrict out, double *restrict may)
+{
+    return cut(c, p, 2, out, may);
+}
+
+COMMON_SEPARATE static bool cut_cubic(const cones *restrict c, const common_piece *restrict p, common_bernsteins *restrict out, double *restrict may)
+{
+    return cut(c, p, 3, out, may);
+}
+
+COMMON_SEPARATE static void add_straight_of_cone(const lines *restrict n, const cones *restrict c, const common_piece *p, double piece,
+                                                 const common_bernsteins *restrict of, const double *restrict may, sums *restrict io)
+{
+    const double x0 = p->x[0], y0 = p->y[0], x1 = p->x[1], y1 = p->y[1];
+
+    for (uint32_t i = 0; i < N; i++) {
+        const double b = of->b[0][i], u = b / (b - of->b[1][i]), v = 1.0 - u;
+
+        add_of_cone(n, c, i, may[i], place_in(c, i, x0 * v + x1 * u, y0 * v + y1 * u), u, piece, io);
+    }
+}
+
+COMMON_SEPARATE static void add_quadratic_of_cone(const lines *restrict n, const cones *restrict c, const common_piece *p, double piece,
+                                                  const common_bernsteins *restrict of, const double *restrict may, sums *restrict io)
+{
+    const double x[3] = { p->x[0], p->x[1], p->x[2] }, y[3] = { p->y[0], p->y[1], p->y[2] };
+
+    for (uint32_t i = 0; i < N; i++) {
+        const two_roots r = solve_quadratic(of, i, may[i]);
+        const double w = 1.0 - r.u, z = 1.0 - r.v;
+
+        add_of_cone(n, c, i, r.both + r.one, place_in(c, i, blend_quadratic(x, r.u, w), blend_quadratic(y, r.u, w)), r.u, piece, io);
+        add_of_cone(n, c, i, r.both, place_in(c, i, blend_quadratic(x, r.v, z), blend_quadratic(y, r.v, z)), r.v, piece, io);
+    }
+}
+
+COMMON_SEPARATE static void add_cubic_of_cone(const lines *restrict n, const cones *restrict c, const common_piece *p, double piece,
+                                              const common_first_of_bernsteins *restrict at, const double *restrict may, sums *restrict io)
+{
+    const double x[4] = { p->x[0], p->x[1], p->x[2], p->x[3] }, y[4] = { p->y[0], p->y[1], p->y[2], p->y[3] };
+
+    for (uint32_t i = 0; i < N; i++) {
+        const double u = at->root[i], v = 1.0 - u, crossed = at->found[i] > 0.0 ? may[i] : 0.0;
+
+        io->open[i] += may[i] * (at->open[i] + at->more[i]);
+        add_of_cone(n, c, i, crossed, place_in(c, i, blend(x, u, v), blend(y, u, v)), u, piece, io);
+    }
+}
+
+static void add_pieces_of_cone(const common_outline *o, const lines *n, const cones *c, sums *io)
+{
+    for (uint32_t i = 0; i < o->count; i++) {
+        const common_piece *const p = &o->at[i];
+        common_first_of_bernsteins at;
+        common_bernsteins all;
+        lane may;
+
+        if (p->degree == 1 && cut_straight(c, p, &all, may)) {
+            add_straight_of_cone(n, c, p, i, &all, may, io);
+        } else if (p->degree == 2 && cut_quadratic(c, p, &all, may)) {
+            add_quadratic_of_cone(n, c, p, i, &all, may, io);
+        } else if (p->degree == 3 && cut_cubic(c, p, &all, may)) {
+            common_bernstein_first_many(&all, 3, &at);
+            add_cubic_of_cone(n, c, p, i, &at, may, io);
+        }
+    }
+}
+
+/* ---- the solid ---- */
+
 /* The near plane, the piece, or the far plane. */
 COMMON_SEPARATE static void tell(const common_swept *s, const common_entries *restrict l, const lines *restrict n, const sums *restrict of,
                                common_first_crossings *restrict out)
@@ -247,13 +396,14 @@ COMMON_SEPARATE static void tell(const common_swept *s, const common_entries *re
     for (uint32_t i = 0; i < N; i++) {
         const double inside = of->side[i] < 0.0 ? 1.0 : 0.0, enters = inside * n->near[i], t = n->base[i] + of->s[i], end = n->end[i], off = n->after[i];
         const double leaves = t > end + off ? inside * (1.0 - enters) : 0.0, crosses = t < end - off ? 1.0 - enters : 0.0, upward = l->d[up][i] > 0.0 ? 1.0 : 0.0;
+        const double misses = n->far[i] > 0.0 ? t > end + off ? 1.0 - inside : 0.0 : end + off < n->begin[i] - n->before[i] ? 1.0 : 0.0;
         const double to_high = enters > 0.0 ? 1.0 - upward : upward, cap = enters + leaves;
         const pov_two from = height_of(l, up, i), along = pov_two_of(l->d[up][i], l->d_lo[up][i]);
         const pov_two height = pov_two_of(to_high > 0.0 ? high.hi : low.hi, to_high > 0.0 ? high.lo : low.lo);
         const pov_two plane = pov_two_div(pov_two_sub(height, from), along), piece = pov_two_sum(n->base[i], of->s[i]);
 
-        out->known[i] = of->open[i] > 0.0 ? 0.0 : n->far[i] * (cap + crosses);
-        out->t[i] = cap > 0.0 ? plane.hi : piece.hi;
+        out->known[i] = of->open[i] > 0.0 ? 0.0 : n->far[i] * (cap + crosses) + misses;
+        out->t[i] = misses > 0.0 ? HUGE_VAL : cap > 0.0 ? plane.hi : piece.hi;
         out->t_lo[i] = cap > 0.0 ? plane.lo : piece.lo;
         out->feature[i] = first + (cap > 0.0 ? to_high : PIECES + of->piece[i]);
         out->u[i] = cap > 0.0 ? 0.0 : of->u[i];
@@ -263,15 +413,21 @@ COMMON_SEPARATE static void tell(const common_swept *s, const common_entries *re
 
 void common_swept_first(const common_swept *s, const common_entries *restrict l, common_first_crossings *restrict out)
 {
+    cones c;
     lines n;
     sums of;
 
-    if (s->conic || s->open) {
+    if (s->open) {
         for (uint32_t i = 0; i < N; i++)
             out->known[i] = 0.0;
         return;
     }
     find_lines(s, l, &n, &of);
-    add_pieces(&s->outline, &n, &of);
+    if (s->conic) {
+        find_cones(l, &c, &of);
+        add_pieces_of_cone(&s->outline, &n, &c, &of);
+    } else {
+        add_pieces(&s->outline, &n, &of);
+    }
     tell(s, l, &n, &of, out);
 }
