@@ -130,7 +130,7 @@ static uint32_t find_firsts(common_first_of_entries *first, bool starts, const v
         const uint32_t k = common_lane_of(i, n);
 
         l->least[i] = hits[k]->tmin * l->per_unit[i];
-        l->own[i] = is_own(rays[k], hits[k]) ? 1.0 : 0.0;
+        l->own[i] = is_own(rays[k], hits[k]) ? 1.0 + rays[k]->origin_mark.feature : 0.0;
     }
     for (uint32_t i = 0; i < n; i++)
         some |= (uint32_t)wants_first(rays[i], hits[i], starts) << i;

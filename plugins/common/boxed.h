@@ -13,8 +13,8 @@ typedef struct common_entry { common_ray k; common_span span; } common_entry;
 /* What a shape does with a ray that comes near. */
 typedef void common_cross_entry(const void *self, const pov_ray *ray, const common_entry *e, pov_hits *hits);
 
-/* Rays side by side: by lane an entry, `least`, the local distance before which nothing counts, and above 0 in `own` where it starts on the
- * shape. A ray that misses the box has a span
+/* Rays side by side: by lane an entry, `least`, the local distance before which nothing counts, and one more than the feature of the shape that
+ * it starts on, or 0, in `own`. A ray that misses the box has a span
  * that ends before it begins. */
 enum { COMMON_ENTRIES = 8 };
 typedef double common_by_entry[COMMON_ENTRIES];
@@ -51,8 +51,8 @@ void common_boxed_intersect_many(size_t boxed_at, common_cross_entry *cross, com
     static const void *extension(const char *name) { return common_is_fast(name) ? &fast : NULL; }
 
 /* The same of one that finds first crossings side by side, and looks at candidates closer (narrow.h). */
-#define COMMON_NARROW_CLASS(type, cross, first, closer)                                                                      \
-    COMMON_BOXED_RAYS(type, cross, first, false)                                                                             \
+#define COMMON_NARROW_CLASS(type, cross, first, starts, closer)                                                              \
+    COMMON_BOXED_RAYS(type, cross, first, starts)                                                                            \
     static const pov_shape_fast fast = { .size = sizeof(pov_shape_fast), .intersect_many = intersect_many, .narrow = closer };   \
     static const void *extension(const char *name) { return common_is_fast(name) ? &fast : NULL; }
 

@@ -6,14 +6,18 @@
 #include "common/bernstein.h"
 
 enum { N = COMMON_ENTRIES, LOW_CAP = 0, HIGH_CAP, PIECES };
+
+/* As in swept.c. */
+static const double NEAR = 0x1p-30;
 typedef common_by_entry lane;
 
 /* By lane, in the plane: the line p + s d at base + s of the ray, and the square of d. Crossings up to `begin`, which is the near plane or where
- * the ray begins, tell what is inside there; `end` is at the far plane. Distances are certain beyond before and after. */
-typedef struct lines { lane px, py, dx, dy, square, base, begin, end, before, after, near, far; } lines;
+ * the ray begins, tell what is inside there; `end` is at the far plane. Distances are certain beyond before and after. `own`: the piece that the ray starts on,
+ * below 0 a cap, or infinitely far below. */
+typedef struct lines { lane px, py, dx, dy, square, base, begin, end, before, after, near, far, own, leaves; } lines;
 
 /* By lane: the first crossing of the outline beyond `begin`, -1 where what begins there is inside, and above 0 where that is open. */
-typedef struct sums { lane s, u, piece, side, open; } sums;
+typedef struct sums { lane s, u, piece, side, open, starts; } sums;
 
 COMMON_INLINE pov_two height_of(const common_entries *l, uint32_t axis, uint32_t i) { return pov_two_of(l->f[2 * axis][i], l->f[2 * axis + 1][i]); }
 
@@ -23,12 +27,16 @@ COMMON_SEPARATE static void find_lines(const common_swept *s, const common_entri
 {
     const uint32_t up = s->axis, other = 3 - up;
     const pov_two low = s->lo, high = s->hi;
+    const double first = s->first, count = PIECES + s->outline.count;
 
     for (uint32_t i = 0; i < N; i++) {
-        const double base = l->lo[i], dx = l->d[0][i], dy = l->d[other][i], along = l->d[up][i], least = l->least[i];
+        const double feature = l->own[i] - 1.0 - first, own = feature >= 0.0 ? feature < count ? feature - PIECES : -HUGE_VAL : -HUGE_VAL;
+        const double base = own > -HUGE_VAL ? 0.0 : l->lo[i], dx = l->d[0][i], dy = l->d[other][i], along = l->d[up][i], least = l->least[i];
         const pov_two from = height_of(l, up, i), x = height_of(l, 0, i), y = height_of(l, other, i);
         const double a = about(low, from, along), b = about(high, from, along);
         const double near = along > 0.0 ? a : b, far = along > 0.0 ? b : a, begin = near > least ? near : least;
+        /* On the near plane, which it does not cross again, or on the far one. */
+        const double upward = along > 0.0 ? LOW_CAP - HIGH_CAP : 0.0, enters = own == upward - 1.0 ? 1.0 : 0.0, leaves = own == -2.0 - upward ? 1.0 : 0.0;
         const double before = 0x1p-40 * (1.0 + fabs(base) + fabs(begin)), after = 0x1p-40 * (1.0 + fabs(base) + fabs(far));
         const double parallel = fabs(dx) + fabs(dy) > 0x1p-100 ? fabs(along) > 0x1p-100 ? 0.0 : 1.0 : 1.0;
 
@@ -42,13 +50,16 @@ COMMON_SEPARATE static void find_lines(const common_swept *s, const common_entri
         n->end[i] = far;
         n->before[i] = before;
         n->after[i] = after;
-        n->near[i] = near > least ? 1.0 : 0.0;
+        n->near[i] = near > least ? 1.0 - enters : 0.0;
+        n->own[i] = own;
+        n->leaves[i] = leaves;
         n->far[i] = far > begin + before + after ? 1.0 : 0.0;
         of->s[i] = HUGE_VAL;
         of->u[i] = 0.0;
         of->piece[i] = 0.0;
         of->side[i] = 1.0;
-        of->open[i] = fabs(near - least) > before ? parallel : 1.0;
+        of->open[i] = fabs(near - least) > before ? parallel : enters > 0.0 ? parallel : 1.0;
+        of->starts[i] = 0.0;
     }
 }
 
@@ -78,12 +89,14 @@ COMMON_SEPARATE static bool find_crossed(const double *restrict from, const doub
 /* The line crosses a piece at s, and at u of it, where `crossed`. */
 COMMON_INLINE void add(const lines *restrict n, uint32_t i, double crossed, double s, double u, double piece, sums *restrict io)
 {
-    const double t = n->base[i] + s, begin = n->begin[i], before = n->before[i];
-    const double is_before = t < begin - before ? crossed : 0.0, is_ahead = t > begin + before ? crossed : 0.0;
+    const double t = n->base[i] + s, begin = n->begin[i], before = n->before[i], own = n->own[i] == piece ? fabs(s) <= NEAR ? crossed : 0.0 : 0.0;
+    const double starts = fabs(s) <= before ? own * (1.0 - io->starts[i]) : 0.0, others = crossed - own;
+    const double is_before = t < begin - before ? others : starts, is_ahead = t > begin + before ? others : 0.0;
     const double first = s < io->s[i] ? is_ahead : 0.0;
 
     io->side[i] *= 1.0 - 2.0 * is_before;
     io->open[i] += crossed - (is_before + is_ahead);
+    io->starts[i] += starts;
     io->s[i] = first > 0.0 ? s : io->s[i];
     io->u[i] = first > 0.0 ? u : io->u[i];
     io->piece[i] = first > 0.0 ? piece : io->piece[i];
@@ -250,10 +263,10 @@ static void add_pieces(const common_outline *o, const lines *n, sums *io)
 /* By lane: the ray from its base on, the plane through it and the apex, and where it passes the height of that. */
 typedef struct cones { lane wx, wy, wz, dx, dy, dz, mx, my, mz, apex; } cones;
 
-COMMON_SEPARATE static void find_cones(const common_entries *restrict l, cones *restrict c, sums *restrict of)
+COMMON_SEPARATE static void find_cones(const common_entries *restrict l, const lines *restrict n, cones *restrict c, sums *restrict of)
 {
     for (uint32_t i = 0; i < N; i++) {
-        const double base = l->lo[i], dx = l->d[0][i], dy = l->d[1][i], dz = l->d[2][i];
+        const double base = n->base[i], dx = l->d[0][i], dy = l->d[1][i], dz = l->d[2][i];
         const double wx = pov_two_along(height_of(l, 0, i), base, dx, l->d_lo[0][i]).hi, wy = pov_two_along(height_of(l, 1, i), base, dy, l->d_lo[1][i]).hi;
         const double wz = pov_two_along(height_of(l, 2, i), base, dz, l->d_lo[2][i]).hi;
         const pov_vec3 m = pov_cross_product(pov_vec3_of(wx, wy, wz), pov_vec3_of(dx, dy, dz));
@@ -396,7 +409,7 @@ COMMON_SEPARATE static void tell(const common_swept *s, const common_entries *re
     for (uint32_t i = 0; i < N; i++) {
         const double inside = of->side[i] < 0.0 ? 1.0 : 0.0, enters = inside * n->near[i], t = n->base[i] + of->s[i], end = n->end[i], off = n->after[i];
         const double leaves = t > end + off ? inside * (1.0 - enters) : 0.0, crosses = t < end - off ? 1.0 - enters : 0.0, upward = l->d[up][i] > 0.0 ? 1.0 : 0.0;
-        const double misses = n->far[i] > 0.0 ? t > end + off ? 1.0 - inside : 0.0 : end + off < n->begin[i] - n->before[i] ? 1.0 : 0.0;
+        const double misses = n->far[i] > 0.0 ? t > end + off ? 1.0 - inside : 0.0 : end + off < n->begin[i] - n->before[i] ? 1.0 : n->leaves[i];
         const double to_high = enters > 0.0 ? 1.0 - upward : upward, cap = enters + leaves;
         const pov_two from = height_of(l, up, i), along = pov_two_of(l->d[up][i], l->d_lo[up][i]);
         const pov_two height = pov_two_of(to_high > 0.0 ? high.hi : low.hi, to_high > 0.0 ? high.lo : low.lo);
@@ -424,7 +437,7 @@ void common_swept_first(const common_swept *s, const common_entries *restrict l,
     }
     find_lines(s, l, &n, &of);
     if (s->conic) {
-        find_cones(l, &c, &of);
+        find_cones(l, &n, &c, &of);
         add_pieces_of_cone(&s->outline, &n, &c, &of);
     } else {
         add_pieces(&s->outline, &n, &of);

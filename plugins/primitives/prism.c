@@ -209,7 +209,7 @@ static uint32_t narrow(const void *self, const pov_own_map *map, uint32_t owner,
     return !common_swept_may_look(&p->swept) ? n : common_narrow(&p->boxed, common_swept_look, &p->swept, map, owner, rays, io, n);
 }
 
-COMMON_NARROW_CLASS(prism, cross, first, narrow)
+COMMON_NARROW_CLASS(prism, cross, first, true, narrow)
 
 static bool inside(const void *self, pov_vec3 point, pov_vec3 point_lo)
 {

@@ -432,7 +432,7 @@ static uint32_t narrow(const void *self, const pov_own_map *map, uint32_t owner,
     return common_narrow(&((const text *)self)->boxed, look, self, map, owner, rays, io, n);
 }
 
-COMMON_NARROW_CLASS(text, cross, NULL, narrow)
+COMMON_NARROW_CLASS(text, cross, NULL, false, narrow)
 
 static bool inside(const void *self, pov_vec3 point, pov_vec3 point_lo)
 {
