@@ -34,17 +34,18 @@ static inline chord cut_side(const common_cone *s, const approx *g)
     return c;
 }
 
-/* As approx_slab(), for a ray that goes through both ends. */
+/* As approx_slab(), for a ray that goes through both ends, or stays between them. */
 static inline chord cut_slab(const common_cone *s, const approx *g)
 {
     const bounded base = bounded_of(-g->z.v, g->z.e), top = plus(bounded_of(s->height.hi, COMMON_U), base);
-    const int up = g->dz.v > 0.0;
+    const int up = g->dz.v > 0.0, level = (int)(g->dz.v == 0.0) & (int)(g->dz.e == 0.0);
+    const int between = level & (int)(g->z.v > 2.0 * g->z.e) & (int)(top.v > 2.0 * top.e);
     chord c;
 
-    c.lo = over(choose(up, base, top), g->dz);
-    c.hi = over(choose(up, top, base), g->dz);
+    c.lo = choose(level, bounded_of(-HUGE_VAL, 0.0), over(choose(up, base, top), g->dz));
+    c.hi = choose(level, bounded_of(HUGE_VAL, 0.0), over(choose(up, top, base), g->dz));
     c.separation = 0.0;
-    c.certain = fabs(g->dz.v) > 2.0 * g->dz.e;
+    c.certain = (int)(fabs(g->dz.v) > 2.0 * g->dz.e) | between;
     return c;
 }
 
