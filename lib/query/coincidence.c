@@ -1,3 +1,4 @@
+#include "base/vec.h"
 #include "query/packet.h"
 #include "query/segment_end.h"
 
@@ -172,8 +173,7 @@ static bool is_nearer(const pov_crossing *a, const pov_crossing *b)
     return a->owner < b->owner;
 }
 
-void world_coincident(const world *w, query_context *k, const pov_ray *ray, const coincident_set *from, const hit *h,
-                      coincident_set *out)
+static void find_set(const world *w, query_context *k, const pov_ray *ray, const coincident_set *from, const hit *h, coincident_set *out)
 {
     const double size = size_of(w, ray, h->crossing.t);
     pov_crossing *at;
@@ -202,16 +202,45 @@ void world_coincident(const world *w, query_context *k, const pov_ray *ray, cons
     }
 }
 
+/* The set of a hit that has been resolved, or NULL. */
+static const coincident_set *recall(const query_context *k, const pov_ray *ray, const hit *h)
+{
+    for (size_t i = 0; i < k->resolved.count; i++) {
+        const coincident_set *on = &k->resolved.items[i].on;
+
+        if (k->resolved.items[i].ray != ray)
+            continue;
+        for (uint32_t j = 0; j < on->count; j++)
+            if (on->at[j].object == h->object && on->at[j].crossing.t == h->crossing.t && on->at[j].crossing.t_lo == h->crossing.t_lo)
+                return on;
+    }
+    return NULL;
+}
+
+void world_coincident(const world *w, query_context *k, const pov_ray *ray, const coincident_set *from, const hit *h,
+                      coincident_set *out)
+{
+    const coincident_set *known = from ? NULL : recall(k, ray, h);
+
+    if (known)
+        *out = *known;
+    else
+        find_set(w, k, ray, from, h, out);
+}
+
 void coincidence_resolve(const world *w, query_context *k, const pov_ray *ray, const coincident_set *from, hit *out)
 {
-    coincident_set s;
+    resolved_set s;
     uint32_t which;
 
-    world_coincident(w, k, ray, from, out, &s);
-    if (s.count == 0)
+    s.ray = ray;
+    find_set(w, k, ray, from, out, &s.on);
+    if (s.on.count == 0)
         return;
-    which = coincidence_crossed(&s, ray->dir);
-    *out = s.at[which < s.count ? which : 0];
+    which = coincidence_crossed(&s.on, ray->dir);
+    *out = s.on.at[which < s.on.count ? which : 0];
+    if (!from)
+        k->failed = !VEC_PUSH(k->env, &k->resolved, s) || k->failed;
 }
 
 /* ---- light ---- */

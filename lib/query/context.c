@@ -42,6 +42,7 @@ void query_context_destroy(query_context *k)
         return;
     for (i = 0; i < WORLD_MANY; i++)
         env_free(k->env, k->hit_buffers[i].crossings);
+    env_free(k->env, k->resolved.items);
     csg_scratch_free(&k->csg);
     env_free_aligned(k->env, k->scratch);
     env_free_aligned(k->env, k);

@@ -8,6 +8,9 @@
 /* Buffer for the crossings of one light path: with transparent shapes, and with an opaque one. */
 typedef struct hit_buffer { csg_user csg; query_context *context; pov_crossing *crossings; uint32_t capacity; pov_crossing blocking; } hit_buffer;
 
+/* The surfaces that a ray of the last query_nearest() hits in one place. */
+typedef struct resolved_set { const pov_ray *ray; coincident_set on; } resolved_set;
+
 struct query_context {
     object_space_rays own;
     const env *env;
@@ -16,6 +19,7 @@ struct query_context {
     class_counts classes;
     csg_scratch csg;
     void *scratch;               /* working memory of shapes; NULL: none needs it */
+    struct { resolved_set *items; size_t count, capacity; } resolved;
     pov_hits fresh;              /* hits as they begin, but for what differs from query to query */
     bool failed;
 };
@@ -48,7 +52,8 @@ static inline void hits_begin(pov_hits *hits, hit_buffer *buffer, double tmax, p
 /* More memory for a query that wants all crossings. */
 bool crossings_grow(pov_hits *hits);
 void crossings_sort(pov_crossing *at, uint32_t count, bool (*is_before)(const pov_crossing *a, const pov_crossing *b));
-/* The crossing in out may have coincident surfaces: compare in double-double, and store the one that counts. */
+/* The crossing in out may have coincident surfaces: compare in double-double, and store the one that counts. Of a ray that starts on no set
+ * the context remembers them until the next query_nearest(). */
 void coincidence_resolve(const world *w, query_context *k, const pov_ray *ray, const coincident_set *from, hit *out);
 
 #endif

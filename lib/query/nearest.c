@@ -423,6 +423,7 @@ uint64_t query_nearest(const world *w, query_context *k, const pov_ray *const *r
     if (n == 0)
         return 0;
     own_begin(&k->own, out);
+    k->resolved.count = 0;
     clear_solid_exits(w, k, rays, n, tmax, out, &e);
     found = e.found;
     count = packet_divide(w, rays, n, all_of(n) & ~e.found, true, groups);
