@@ -158,6 +158,8 @@ static void find_shown(csg_tree *t, const csg_extent *of)
         any = true;
     }
     t->shows_boxed = t->boxed || any;
+    if (any)
+        t->size = pov_max(t->size, pov_max(pov_largest(t->shown.lo), pov_largest(t->shown.hi)));
 }
 
 /* Parts outside the tree's box are clipped. */

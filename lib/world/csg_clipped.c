@@ -214,6 +214,16 @@ static bool find_side(const csg_member *m, const pov_ray *own, const pov_vec3 *n
     return fabs(slope) > certain * pov_largest(own->dir);
 }
 
+/* The same of a surface with gaps, by what it holds on both sides of the crossing, within clips whose ends are off by less than `off`. */
+static bool find_open_side(const clip_search *s, const csg_member *m, const pov_crossing *at, double off, bool *enters)
+{
+    const double step = csg_open_step(s->w, at->t, at->t, HUGE_VAL), far = off + 2.0 * step;
+    const bool before = csg_member_holds(s->w, m, at->t - step), after = csg_member_holds(s->w, m, at->t + step);
+
+    *enters = after != m->inverse;
+    return before != after && at->t - s->enter > far && s->leave - at->t > far;
+}
+
 /* Where the ray is within all clips, in double-double. False: it never is, or not before its end; or that is open. */
 static bool narrow_all(clip_search *s, const pov_hits *hits)
 {
@@ -300,7 +310,9 @@ static const pov_crossing *find_first(clip_search *s, const pov_hits *found, dou
 
 static bool needs_normal(const clip_search *s, const pov_crossing *first, const pov_hits *hits)
 {
-    return !s->unsure && first && !is_enough(&s->w->tree->clipped, first, hits);
+    const csg_clipped *c = &s->w->tree->clipped;
+
+    return !s->unsure && first && !s->w->tree->members[c->surface].open && !is_enough(c, first, hits);
 }
 
 /* Is a crossing certainly in no hollow, all ends of which are off by less than `off`? */
@@ -387,6 +399,20 @@ static bool conclude_hollow(clip_search *s, const pov_ray *own, const pov_crossi
            (off > 0.0 && csg_is_hollowed(s->w->tree) && csg_hollows_first(s->w, s->in, s->out, off, hits));
 }
 
+/* Of a surface with gaps, which shows where its inside begins or ends. False: open. */
+static bool conclude_open(clip_search *s, const pov_crossing *first, double off, pov_hits *hits)
+{
+    const csg_member *m = &s->w->tree->members[s->w->tree->clipped.surface];
+    bool enters = false;
+
+    if (s->unsure || (first && !find_open_side(s, m, first, off, &enters)))
+        return false;
+    hits->escalated += s->escalated;
+    if (first)
+        csg_report(first, enters, hits);
+    return true;
+}
+
 /* `first`: of the surface, or NULL; `normal`: where that is needed. False: open. */
 static bool conclude(clip_search *s, const pov_ray *own, const pov_crossing *first, const pov_vec3 *normal, double off, pov_hits *hits)
 {
@@ -395,6 +421,8 @@ static bool conclude(clip_search *s, const pov_ray *own, const pov_crossing *fir
     const bool enough = first && is_enough(c, first, hits);
     bool enters = m->turned;
 
+    if (m->open)
+        return conclude_open(s, first, off, hits);
     if (c->hollows)
         return conclude_hollow(s, own, first, normal, off, hits);
     if (s->unsure || (first && !enough && !find_side(m, own, normal, &enters)))

@@ -4,6 +4,7 @@
 #include "world/csg_traversal.h"
 
 #include "base/simd.h"
+#include "world/surface.h"
 
 #include <string.h>
 
@@ -292,29 +293,45 @@ static bool traverse(csg_traversal *w, pov_hits *hits, bool exact)
     return traverse_once(w, hits, exact);
 }
 
-static bool doubles_will_do(const pov_hits *hits) { return !hits->always_exact && hits->tmin == 0.0; }
+static bool wants_first(const pov_hits *hits) { return !hits->always_exact && hits->tmin == 0.0 && hits->want != POV_WANT_ALL; }
 
-static bool wants_first(const csg_tree *t, const pov_hits *hits) { return t->open_count == 0 && doubles_will_do(hits) && hits->want != POV_WANT_ALL; }
-
-/* What is wanted, in doubles. False: these cannot tell, or the tree is another one. */
-static bool find_in_doubles(csg_traversal *w, pov_hits *hits)
+/* What is wanted, by outlines. False: these cannot tell, or the tree is another one. */
+static bool find_by_outline(csg_traversal *w, pov_hits *hits)
 {
     const csg_tree *t = w->tree;
 
-    if (!doubles_will_do(hits))
+    if (hits->unfiltered)
         return false;
-    if (t->chords.all && wants_first(t, hits))
+    if (t->chords.all && t->open_count == 0 && wants_first(hits))
         return csg_chords_first(w, hits);
-    return (t->outline && !t->clipped.outlined && csg_sweep(w, hits)) || (t->clipped.count > 0 && wants_first(t, hits) && csg_clipped_first(w, hits));
+    return (t->outline && !t->clipped.outlined && csg_sweep(w, hits)) || (t->clipped.count > 0 && wants_first(hits) && csg_clipped_first(w, hits));
+}
+
+/* A ray that starts on several surfaces leaves one of the tree's by name; others of the tree are behind it by their distance. */
+static const pov_ray *name_start(const csg_tree *t, const csg_scratch *s, const pov_ray *ray, pov_ray *named)
+{
+    for (uint32_t i = 0; s->from && i < s->from->count; i++) {
+        const hit *at = &s->from->at[i];
+
+        if (at->object - s->names - t->members[0].leaf >= t->member_count)
+            continue;
+        *named = *ray;
+        named->origin_surface = at->object;
+        named->origin_mark = at->crossing.mark;
+        return named;
+    }
+    return ray;
 }
 
 void csg_intersect(const void *self, const pov_ray *ray, pov_hits *hits)
 {
+    const csg_tree *t = ((const csg_root *)self)->tree;
     const uint32_t count = hits->count;
     csg_traversal w;
+    pov_ray named;
 
-    csg_traversal_init(&w, ((const csg_root *)self)->tree, ray, hits);
-    if (find_in_doubles(&w, hits))
+    csg_traversal_init(&w, t, name_start(t, ((const csg_user *)hits->user)->scratch, ray, &named), hits);
+    if (find_by_outline(&w, hits))
         return;
     hits->count = count;
     if (!csg_traversal_enters(&w, hits) || traverse(&w, hits, hits->always_exact))
@@ -333,7 +350,7 @@ static uint32_t count_together(const void *const *selves, pov_hits *const *hits,
 
     if (!t->clipped.outlined || t->chords.all || !t->members[t->clipped.surface].shape->intersect_between_many)
         return 0;
-    while (some < n && some < CSG_CLIPPED_MANY && selves[some] == selves[0] && wants_first(t, hits[some]))
+    while (some < n && some < CSG_CLIPPED_MANY && selves[some] == selves[0] && wants_first(hits[some]))
         some++;
     return some;
 }

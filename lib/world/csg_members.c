@@ -500,9 +500,18 @@ bool csg_traversal_hits_box(csg_traversal *w)
     return !w->tree->boxed || csg_hits_box(w, &w->tree->box, &w->enter, &w->leave);
 }
 
+/* May it cross what shows, where that counts? */
+static bool hits_shown(const csg_traversal *w, const pov_hits *hits)
+{
+    const csg_tree *t = w->tree;
+    double enter = w->enter, leave = w->leave;
+
+    return (t->boxed || !t->shows_boxed || csg_hits_box(w, &t->shown, &enter, &leave)) && enter <= hits->tmax + hits->slack && leave >= hits->tmin;
+}
+
 bool csg_traversal_enters(csg_traversal *w, const pov_hits *hits)
 {
-    return csg_traversal_hits_box(w) && (!w->tree->boxed || hits_cuts(w, w->enter, pov_min(w->leave, hits->tmax)));
+    return csg_traversal_hits_box(w) && hits_shown(w, hits) && (!w->tree->boxed || hits_cuts(w, w->enter, pov_min(w->leave, hits->tmax)));
 }
 
 void csg_traversal_begin(csg_traversal *w, const pov_hits *hits, bool exact)

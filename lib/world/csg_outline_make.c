@@ -365,10 +365,18 @@ static void find_middle(const csg_tree *t, const pov_outline *all, csg_outline *
     of->per_size = 1.0 / of->size;
 }
 
+/* May csg_clipped.c have the tree? Of surfaces with gaps it has one that clips without gaps cut, none of which show or are hollows. */
+static bool has_clips(const csg_tree *t)
+{
+    const csg_clipped *c = &t->clipped;
+
+    return c->count > 0 && (t->open_count == 0 || (t->open_count == 1 && t->members[c->surface].open && !c->shown && !c->hollows));
+}
+
 static void drop_clips(csg_tree *t)
 {
     t->clipped.outlined = false;
-    t->clipped.count = t->clipped.loose ? 0 : t->clipped.count;
+    t->clipped.count = t->clipped.loose || t->open_count > 0 ? 0 : t->clipped.count;
 }
 
 static bool drop_outline(csg_tree *t, const env *e)
@@ -385,8 +393,8 @@ static bool take_columns(csg_tree *t, csg_outline *of, pov_outline *all)
     static const csg_outline none = { .count = 0 };
 
     *of = none;
-    if (t->open_count > 0)
-        t->clipped = (csg_clipped){ .count = 0 };   /* surfaces with gaps are left to the walk */
+    if (!has_clips(t))
+        t->clipped = (csg_clipped){ .count = 0 };
     if ((find_columns(t, of) && ask_columns(t, of, false, all)) || (take_clips(t, of) && ask_columns(t, of, false, all)))
         return true;
     drop_clips(t);

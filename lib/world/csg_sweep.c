@@ -414,15 +414,18 @@ static csg_found find_common(const sweep *s, uint32_t from, csg_first *out)
     return at > s->to ? CSG_NOTHING : CSG_CROSSED;
 }
 
-/* False: its member does not have it; `*more`: more is wanted. */
+/* Any crossing will do, wherever it is, and this one is certainly among those that count. */
+static bool is_enough(const csg_first *f, const pov_hits *hits) { return csg_first_is_enough(f, hits) && f->t - f->off > hits->tmin; }
+
+/* False: its member does not have it; `*more`: more is wanted. One before what counts is none. */
 static bool report(sweep *s, const found_crossing *f, pov_hits *hits, bool *more)
 {
     const pov_crossing about = { .t = f->is.t, .owner = s->w->scratch->names + member_of(s, f->is.column)->leaf };
-    const pov_crossing *at = f->own ? f->own : csg_first_is_enough(&f->is, hits) ? &about : own_at(s, &f->is, hits);
+    const pov_crossing *at = f->own ? f->own : is_enough(&f->is, hits) ? &about : own_at(s, &f->is, hits);
 
     if (!at)
         return false;
-    *more = csg_report(at, f->is.inward, hits);
+    *more = csg_report(at, f->is.inward, hits) && (hits->want == POV_WANT_ALL || !(at->t > hits->tmin));
     return true;
 }
 
@@ -437,7 +440,7 @@ static bool report_found(sweep *s, pov_hits *hits)
 
         if (found == CSG_OPEN || (found == CSG_CROSSED && !report(s, &f, hits, &more)))
             return false;
-        more = more && found == CSG_CROSSED && hits->want == POV_WANT_ALL;
+        more = more && found == CSG_CROSSED;
     }
     hits->escalated += s->escalated;
     return true;
@@ -458,14 +461,14 @@ static bool report_in_order(sweep *s, uint32_t from, pov_hits *hits)
     return done;
 }
 
-/* The first crossing of what all columns have in common. */
+/* The first crossing of what all columns have in common. False: open, or it lies before what counts. */
 static bool report_common(sweep *s, const csg_first *first, pov_hits *hits)
 {
     const found_crossing f = { *first, NULL };
     bool more;
 
     s->known = s->own_count = 0;
-    if (!report(s, &f, hits, &more))
+    if (!(first->t - first->off > hits->tmin) || !report(s, &f, hits, &more))
         return false;
     hits->escalated += s->escalated;
     return true;
@@ -483,11 +486,11 @@ bool csg_sweep(csg_traversal *w, pov_hits *hits)
         return true;
     s.w = w;
     s.of = w->tree->outline;
-    s.exact = false;
+    s.exact = hits->always_exact;
     s.escalated = 0;
     if (!csg_outline_cross(s.of, w->ray, &s.io))
         return false;
-    s.from = s.io.start + w->enter / s.io.per_unit;
+    s.from = s.io.start + pov_max(w->enter, hits->tmin) / s.io.per_unit;
     s.from -= near_by(&s, s.from);
     s.to = s.io.start + pov_min(w->leave, most) / s.io.per_unit;
     s.to += near_by(&s, s.to);

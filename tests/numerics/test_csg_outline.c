@@ -241,6 +241,25 @@ static void make_gapped_tree(scene *s)
     assert_true(model_add_tree(&s->model, root));
 }
 
+/* The other way: a torus as if it had gaps, which shows where what it holds begins or ends, that a member or two clip. */
+static void make_gapped_surface_tree(scene *s)
+{
+    const probe torus = { .kind = TORUS, .count = 2, .size = 1.0, .number = { 0.5 + 0.8 * U(), 0.1 + 0.4 * U() } };
+    const group_node clipped = { .op = NODE_CLIP, .line = 1, .column = 1 };
+    const uint32_t n = 2 + below(2);
+    node_ref children[3], root;
+
+    s->surface = *fake_reader_shape("torus");
+    s->surface.open = has_gaps;
+    children[0] = add_of(s, torus, &s->surface, U() < 0.6 ? s->map : make_map(&s->model), U() < 0.2 ? LEAF_INVERSE : 0);
+    s->endless = U() < 0.4;
+    for (uint32_t i = 1; i < n; i++)
+        children[i] = add_member(s);
+    s->endless = false;
+    assert_true(model_add_group(&s->model, &clipped, children, n, &root));
+    assert_true(model_add_tree(&s->model, root));
+}
+
 /* A box that many planes cut, some of them along its edges or faces; or that and a member or two cut out of it. */
 static void make_polyhedron(scene *s)
 {
@@ -357,6 +376,20 @@ static void keep(scene *s, const pov_ray *ray, const hit *h, bool met, tally *ou
     }
 }
 
+/* Both give the same bits where all is to be found in double-double, from the start on and beyond a place. */
+static void compare_exactly(const scene *s, const pov_ray *ray, double beyond)
+{
+    hit h, truth;
+    const bool met = query_nearest_beyond(s->filtered.world, s->filtered.context, NULL, ray, beyond, HUGE_VAL, &h);
+
+    assert_int_equal(met, query_nearest_beyond(s->exact.world, s->exact.context, NULL, ray, beyond, HUGE_VAL, &truth));
+    if (!met)
+        return;
+    assert_int_equal(h.object, truth.object);
+    assert_int_equal(h.crossing.mark.flags, truth.crossing.mark.flags);
+    assert_true(h.crossing.t == truth.crossing.t && h.crossing.t_lo == truth.crossing.t_lo);
+}
+
 /* Do both say the same? True: there is a hit. */
 static bool compare(const scene *s, const pov_ray *ray, hit *h, tally *out)
 {
@@ -374,6 +407,8 @@ static bool compare(const scene *s, const pov_ray *ray, hit *h, tally *out)
     assert_int_equal(h->object, truth.object);
     assert_int_equal(h->entering, truth.entering);
     assert_true(fabs(h->crossing.t - truth.crossing.t) <= 0x1p-49 * truth.crossing.t);
+    for (int i = 0; i <= 2; i++)
+        compare_exactly(s, ray, 0.5 * i * truth.crossing.t);
     for (int i = -1; i <= 2; i++) {
         const double most = h->crossing.t * (i > 1 ? 4.0 : 1.0 + i * 1e-6);
         const bool clear = test_light(s->filtered.world, s->filtered.context, ray, most, owners, &count);
@@ -480,6 +515,14 @@ static void outlines_of_what_gaps_clip_find_what_the_walk_finds(void **state)
 
     (void)state;
     assert_true(all.hits > rays / 20);
+}
+
+static void outlines_of_clips_of_what_has_gaps_find_what_the_walk_finds(void **state)
+{
+    const tally all = ask_all(make_gapped_surface_tree);
+
+    (void)state;
+    assert_true(all.hits > rays / 40 && all.blocked > all.hits / 2);
 }
 
 static void outlines_of_many_planes_find_what_the_walk_finds(void **state)
@@ -596,6 +639,7 @@ int main(int argc, char **argv)
         cmocka_unit_test(outlines_of_any_nodes_find_what_the_walk_finds),
         cmocka_unit_test(outlines_of_glass_find_what_the_walk_finds),
         cmocka_unit_test(outlines_of_what_gaps_clip_find_what_the_walk_finds),
+        cmocka_unit_test(outlines_of_clips_of_what_has_gaps_find_what_the_walk_finds),
         cmocka_unit_test(outlines_of_many_planes_find_what_the_walk_finds),
         cmocka_unit_test(outlines_of_clips_find_what_the_walk_finds),
         cmocka_unit_test(outlines_of_what_cuts_a_surface_find_what_the_walk_finds),
