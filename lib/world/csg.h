@@ -72,7 +72,7 @@ typedef struct csg_chords {
 } csg_chords;
 
 /* What the surfaces of few members are, about, side by side: csg_outline.c. */
-enum { CSG_COLUMNS = 16, CSG_TABLE_COLUMNS = 6 };
+enum { CSG_COLUMNS = 24, CSG_TABLE_COLUMNS = 6 };
 
 /* A quadric whose square part is `all` (x . x) + of_axis (axis . x)^2, of a sphere without the second one. */
 typedef enum csg_turned_kind { CSG_NOT_TURNED, CSG_SPHERE, CSG_TURNED } csg_turned_kind;

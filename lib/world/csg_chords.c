@@ -292,8 +292,8 @@ bool csg_chords_first(csg_traversal *w, pov_hits *hits)
     chord_search s;
     chord both;
 
-    if (w->tree->outline && is_found(w, hits))
-        return true;
+    if (w->tree->outline)
+        return is_found(w, hits);
     begin(&s, w, hits);
     csg_enter_few(w, &w->tree->few, s.enter, s.leave);
     for (uint32_t left = f->within; left; left &= left - 1)

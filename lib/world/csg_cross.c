@@ -14,7 +14,7 @@ typedef struct entries {
 
 static csg_first first_of_note(uint32_t note)
 {
-    const csg_first first = { .column = note & (CSG_COLUMNS - 1), .enters = note & CSG_NOTE_ENTERS, .inward = note & CSG_NOTE_INWARD };
+    const csg_first first = { .column = note & CSG_NOTE_COLUMN, .enters = note & CSG_NOTE_ENTERS, .inward = note & CSG_NOTE_INWARD };
 
     return first;
 }

@@ -252,25 +252,36 @@ static bool pass_point(csg_traversal *w, pov_hits *hits)
     return csg_report(at, enters, hits) && !(hits->want == POV_WANT_NEAREST && at->t > hits->tmin);
 }
 
+/* The next point, or several that doubles need not tell apart. False: they are not sufficient; `*more`: more is wanted. */
+static bool pass_next(csg_traversal *w, pov_hits *hits, bool exact, bool *more)
+{
+    if (!exact && is_close(w, w->applied))
+        return pass_close(w);
+    *more = pass_point(w, hits);
+    return true;
+}
+
+bool csg_pass(csg_traversal *w, pov_hits *hits, bool exact, bool *more)
+{
+    while (*more && w->applied < w->found.count)
+        if (!pass_next(w, hits, exact, more))
+            return false;
+    return true;
+}
+
 /* False: doubles were not sufficient. Crossings reported so far are right. */
 static bool traverse_once(csg_traversal *w, pov_hits *hits, bool exact)
 {
     const double last = pov_min(hits->tmax + hits->slack, w->leave);
-    bool enough = true;
+    bool enough = true, more = true;
 
     csg_traversal_begin(w, hits, exact);
-    for (;;) {
+    while (enough && more) {
         csg_test_ahead(w);
         enough = w->missed || !w->unsure;
         if (!enough || w->missed || w->scratch->failed || w->applied == w->found.count || w->found.at[w->applied].t > last)
             break;
-        if (!exact && is_close(w, w->applied)) {
-            enough = pass_close(w);
-            if (!enough)
-                break;
-        } else if (!pass_point(w, hits)) {
-            break;
-        }
+        enough = pass_next(w, hits, exact, &more);
     }
     csg_traversal_end(w);
     hits->escalated += w->found.escalated;
@@ -302,8 +313,8 @@ static bool find_by_outline(csg_traversal *w, pov_hits *hits)
 
     if (hits->unfiltered)
         return false;
-    if (t->chords.all && t->open_count == 0 && wants_first(hits))
-        return csg_chords_first(w, hits);
+    if (t->chords.all && t->open_count == 0 && wants_first(hits) && csg_chords_first(w, hits))
+        return true;
     return (t->outline && !t->clipped.outlined && csg_sweep(w, hits)) || (t->clipped.count > 0 && wants_first(hits) && csg_clipped_first(w, hits));
 }
 

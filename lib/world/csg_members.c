@@ -336,8 +336,7 @@ static bool comes_before(const pov_crossing *a, const pov_crossing *b)
     return a->owner < b->owner;
 }
 
-/* Merge the crossings from `first` on into those from `least` on. */
-static void put_in_order(csg_traversal *w, uint32_t first, uint32_t least)
+void csg_put_in_order(csg_traversal *w, uint32_t first, uint32_t least)
 {
     pov_crossing *at = w->found.at;
 
@@ -350,8 +349,7 @@ static void put_in_order(csg_traversal *w, uint32_t first, uint32_t least)
     }
 }
 
-/* The name by which a ray leaves a member that it starts on: of members that are one surface it knows one. */
-static uint32_t name_of(const csg_traversal *w, const csg_member *m)
+uint32_t csg_name_of(const csg_traversal *w, const csg_member *m)
 {
     const uint32_t from = csg_which(w, w->ray->origin_surface);
 
@@ -400,7 +398,7 @@ static void intersect(csg_traversal *w, const csg_member *m, const stretch *in)
 {
     const uint32_t first = w->found.count;
 
-    w->found.owner = name_of(w, m);
+    w->found.owner = csg_name_of(w, m);
     if (in)
         intersect_between(w, m, in, &w->found);
     else
@@ -425,14 +423,14 @@ static void test_member(csg_traversal *w, uint32_t member, const cut_crossing *c
     intersect(w, m, in);
     drop_behind(w, first);
     if (in)
-        put_in_order(w, first, first);
+        csg_put_in_order(w, first, first);
     inside = !m->patch && !m->open && (in ? begins_inside(w, m, first, in) : (w->found.count - first) & 1);
     if (!in && !m->boxed && !m->patch && !m->open)
         inside = inside != (cut && fabs(cut->slope) > certain * w->dir ? (cut->slope < 0.0) != m->inverse : ends_inside(w, m, first));
     w->missed = w->missed || (m->needed && !m->open && !inside && w->found.count == first);
     if (inside)
         csg_toggle(w, member);
-    put_in_order(w, first, w->applied);
+    csg_put_in_order(w, first, w->applied);
 }
 
 /* The ray is within a cut wherever it is within the others and the tree's box. */

@@ -18,7 +18,7 @@ enum { CSG_SLAB_NUMBERS = 5, CSG_QUADRIC_NUMBERS = 10, CSG_FOUR = 4 };
 static inline uint32_t csg_number(uint32_t each, uint32_t i) { return i / CSG_FOUR * CSG_FOUR * each + i % CSG_FOUR; }
 
 /* A candidate's note: the column of its crossing, and bits that say which one it is, of the member and of the tree. */
-enum { CSG_NOTE_ENTERS = 0x100, CSG_NOTE_INWARD = 0x200 };
+enum { CSG_NOTE_COLUMN = 0xff, CSG_NOTE_ENTERS = 0x100, CSG_NOTE_INWARD = 0x200 };
 
 /* Where a ray is within; open is not 0 where that is not known. square, of a quadric: below zero a ray is within where it is not
  * between the two. */

@@ -8,10 +8,19 @@
 
 static const double margin = CSG_OUTLINE_MARGIN;
 
+static uint32_t count_of(uint32_t columns)
+{
+    uint32_t count = 0;
+
+    for (; columns; columns &= columns - 1)
+        count++;
+    return count;
+}
+
 /* own: where it is among the crossings that are known in full, counted from one; or 0. */
 typedef struct crossing { double at; uint16_t column, own; } crossing;
 
-enum { OWN = 48, MOST_CROSSINGS = 2 * CSG_COLUMNS + OWN };
+enum { OWN = 48, GROUP_MAX = 8, MOST_CROSSINGS = 2 * CSG_COLUMNS + OWN };
 
 typedef struct sweep {
     csg_traversal *w;
@@ -23,6 +32,8 @@ typedef struct sweep {
     uint32_t waiting;            /* columns to be asked where the ray enters their boxes */
     uint32_t known;              /* columns whose crossings are among `own` */
     bool exact;                  /* crossings are to be found in double-double */
+    bool unsure;                 /* doubles cannot order them */
+    bool has_states;             /* the scratch memory's are those by `entered` */
     uint32_t escalated;
     uint32_t count, next, own_count;
     double box[CSG_COLUMNS];     /* of those that wait, where that is */
@@ -52,9 +63,11 @@ static bool ask(sweep *s, uint32_t column, const pov_hits *hits, pov_crossing *a
     const csg_member *m = member_of(s, column);
     pov_hits found = { .tmax = HUGE_VAL, .want = POV_WANT_ALL, .at = at, .capacity = capacity, .grow = csg_no_more, .user = hits->user,
                        .scratch = hits->scratch, .always_exact = s->exact, .unfiltered = hits->unfiltered,
-                       .owner = s->w->scratch->names + m->leaf };
+                       .owner = csg_name_of(s->w, m) };
 
     csg_intersect_member(s->w, m, &found);
+    for (uint32_t i = 0; i < found.count; i++)
+        at[i].owner = s->w->scratch->names + m->leaf;
     s->escalated += found.escalated;
     *count = found.count;
     return found.count < capacity;
@@ -75,28 +88,13 @@ static bool find_own(sweep *s, uint32_t column, const pov_hits *hits)
     return true;
 }
 
-/* Is a crossing so near to the start that doubles do not tell whether it is there? */
-static bool is_at_start(const sweep *s, const pov_crossing *at) { return at->t * s->w->dir <= CSG_SEPARATION * s->w->size; }
+static bool is_near_start(const sweep *s, const pov_crossing *at) { return at->t * s->w->dir <= CSG_SEPARATION * s->w->size; }
 
-/* Does the ray certainly start on the member, or beyond it, and cross it nowhere near? */
-static bool is_passed(sweep *s, uint32_t column, const pov_hits *hits)
-{
-    pov_crossing at[CROSSINGS];
-    uint32_t count, i = 0;
+/* Do doubles not tell whether it is ahead? */
+static bool is_unsure(const sweep *s, const pov_crossing *at) { return !s->exact && is_near_start(s, at); }
 
-    if (!ask(s, column, hits, at, CROSSINGS, &count))
-        return false;
-    while (i < count && !is_at_start(s, &at[i]))
-        i++;
-    if (i < count && !s->exact) {
-        s->exact = true;
-        return is_passed(s, column, hits);
-    }
-    for (i = 0; i < count; i++)
-        if (!csg_is_behind(s->w, &at[i]) && at[i].t < 4.0 * near_by(s, s->io.start) * s->io.per_unit)
-            return false;
-    return true;
-}
+/* Is it behind the ray, in the very place that this starts from? */
+static bool is_behind(const sweep *s, const pov_crossing *at) { return s->exact && is_near_start(s, at) && csg_is_behind(s->w, at); }
 
 /* The member's own crossing that lies there. NULL: it is not certain that there is one. */
 static const pov_crossing *own_at(sweep *s, const csg_first *f, const pov_hits *hits)
@@ -109,9 +107,9 @@ static const pov_crossing *own_at(sweep *s, const csg_first *f, const pov_hits *
         const pov_crossing *at = &s->own[i];
         const bool there = fabs(at->t - f->t) <= f->off;
 
-        if (is_at_start(s, at) && s->exact && csg_is_behind(s->w, at))
+        if (is_behind(s, at))
             continue;
-        if (is_at_start(s, at) || (there && found))
+        if (is_unsure(s, at) || (there && found))
             return NULL;
         found = there ? at : found;
     }
@@ -137,7 +135,29 @@ static void add(sweep *s, double at, uint32_t column, bool passed)
         insert(s, at, column, 0);
 }
 
-/* `from`: the column that the ray starts on, one of whose crossings is the start. False: open. */
+/* A member's own crossings ahead: where the first of them counts, the ray is inside by their number and by whether it ends inside. False: it is
+ * open which ones are ahead. */
+static bool add_own(sweep *s, uint32_t i, bool ends_inside, const pov_hits *hits)
+{
+    bool inside = ends_inside;
+
+    if (!find_own(s, i, hits))
+        return false;
+    for (uint32_t k = s->own_first[i]; k < s->own_end[i]; k++) {
+        const double at = s->io.start + s->own[k].t / s->io.per_unit;
+
+        if (is_behind(s, &s->own[k]))
+            continue;
+        s->unsure = s->unsure || is_unsure(s, &s->own[k]);
+        inside = inside != (at >= s->from);
+        if (at >= s->from && at <= s->to)
+            insert(s, at, i, k + 1);
+    }
+    s->holds ^= (uint32_t)(inside != (s->io.outside >> i & 1)) << i;
+    return !s->unsure;
+}
+
+/* `from`: the column that the ray starts on, one of whose crossings is the start. One that it starts near is asked for its own. False: open. */
 static bool add_column(sweep *s, uint32_t i, uint32_t from, const pov_hits *hits)
 {
     const double in = s->io.in[i], out = s->io.out[i], start = s->io.start, near = near_by(s, start);
@@ -145,8 +165,10 @@ static bool add_column(sweep *s, uint32_t i, uint32_t from, const pov_hits *hits
 
     if (in == HUGE_VAL || in - out > near_by(s, in))
         return i != from;
-    if (i == from ? enters == leaves : (enters || leaves) && start + near >= s->from && !is_passed(s, i, hits))
+    if (i == from && enters == leaves)
         return false;
+    if (i != from && (enters || leaves) && start + near >= s->from)
+        return add_own(s, i, (s->io.outside >> i & 1) != (out == HUGE_VAL), hits);
     add(s, in, i, in < start || enters);
     add(s, out, i, out < start || leaves);
     return true;
@@ -207,18 +229,7 @@ static bool enter_column(sweep *s, uint32_t i, const pov_hits *hits)
         s->count = s->next;
         return true;
     }
-    s->holds ^= (uint32_t)((s->own_end[i] - s->own_first[i]) & 1) << i;
-    for (uint32_t k = s->own_first[i]; k < s->own_end[i]; k++) {
-        const double at = s->io.start + s->own[k].t / s->io.per_unit;
-
-        if (is_at_start(s, &s->own[k]))
-            return false;
-        if (at < s->from)
-            s->holds ^= 1u << i;
-        else if (at <= s->to)
-            insert(s, at, i, k + 1);
-    }
-    return true;
+    return add_own(s, i, false, hits);
 }
 
 /* The first column whose box is entered by there, or CSG_COLUMNS. */
@@ -237,8 +248,23 @@ static uint32_t entered_by(const sweep *s, double by)
     return first;
 }
 
+/* The next crossings that are near each other, of which the last is before `end`: their columns, and those that are crossed an odd number of
+ * times, as bits. */
+typedef struct near_group { uint32_t end, any, changed; } near_group;
+
+static near_group group_up_to(const sweep *s, uint32_t end)
+{
+    near_group g = { end, 0, 0 };
+
+    for (uint32_t i = s->next; i < end; i++) {
+        g.any |= 1u << s->at[i].column;
+        g.changed ^= 1u << s->at[i].column;
+    }
+    return g;
+}
+
 /* Behind the next crossing and those that are near it. False: open. */
-static bool find_group(sweep *s, const pov_hits *hits, uint32_t *end)
+static bool find_end(sweep *s, const pov_hits *hits, uint32_t *end)
 {
     for (;;) {
         uint32_t column;
@@ -260,6 +286,9 @@ static void flip(sweep *s, uint32_t columns)
 {
     const csg_tree *t = s->w->tree;
 
+    if (!s->has_states)
+        memcpy(s->w->scratch->states, t->outside, t->node_count * sizeof *t->outside);
+    s->has_states = true;
     s->entered ^= columns;
     for (; columns; columns &= columns - 1)
         csg_flip(t, s->w->scratch->states, s->w->scratch->inside, s->of->member[first_of(columns)]);
@@ -288,11 +317,14 @@ static bool matters(sweep *s, uint32_t any)
     return false;
 }
 
+/* So many clips with gaps are looked at in all their sets; of more any crossing may matter. */
+enum { HELD_MAX = 3 };
+
 /* The same, whatever clips with gaps hold. */
 static bool may_matter(sweep *s, uint32_t any)
 {
     const uint32_t held = s->of->held, before = s->holds;
-    bool matter = matters(s, any);
+    bool matter = matters(s, any) || count_of(held) > HELD_MAX;
 
     for (uint32_t some = held; some && !matter; some = (some - 1) & held) {
         s->holds = before ^ some;
@@ -319,49 +351,85 @@ static bool find_held(sweep *s, uint32_t end, const pov_crossing *at)
     return true;
 }
 
+static void find_about(const sweep *s, const crossing *at, found_crossing *out)
+{
+    out->is.column = at->column;
+    out->is.t = (at->at - s->io.start) * s->io.per_unit;
+    out->is.off = near_by(s, at->at) * s->io.per_unit;
+    out->own = at->own ? &s->own[at->own - 1] : NULL;
+}
+
+/* Several crossings near each other, one or more of which matter, by the rules of the walk: the members' own crossings in order. False: open. */
+static bool pass_group(sweep *s, const near_group *g, pov_hits *hits, bool *more)
+{
+    csg_traversal *w = s->w;
+    pov_crossing group[GROUP_MAX];
+    uint32_t count = 0;
+    bool passed;
+
+    if (g->end - s->next > GROUP_MAX || w->tree->open_count > 0)
+        return false;
+    for (uint32_t i = s->next; i < g->end; i++) {
+        found_crossing about;
+        const pov_crossing *own;
+
+        find_about(s, &s->at[i], &about);
+        own = about.own ? about.own : own_at(s, &about.is, hits);
+        if (!own)
+            return false;
+        group[count++] = *own;
+    }
+    flip(s, s->entered ^ s->holds);
+    w->found.at = group;
+    w->found.count = count;
+    w->applied = 0;
+    w->whole = w->grazes = false;
+    csg_put_in_order(w, 0, 0);
+    passed = csg_pass(w, hits, s->exact, more);
+    s->unsure = s->unsure || !passed;
+    s->entered = passed && *more ? s->entered ^ g->changed : s->entered | g->any;
+    return passed;
+}
+
 /* The next crossing, which may matter. False: that is open. */
-static bool take(sweep *s, uint32_t end, uint32_t any, const pov_hits *hits, found_crossing *out, bool *matter)
+static bool take(sweep *s, const near_group *g, const pov_hits *hits, found_crossing *out, bool *matter)
 {
     const crossing *first = &s->at[s->next];
 
-    out->is.column = first->column;
-    out->is.t = (first->at - s->io.start) * s->io.per_unit;
-    out->is.off = near_by(s, first->at) * s->io.per_unit;
-    out->own = first->own ? &s->own[first->own - 1] : NULL;
+    find_about(s, first, out);
     if (s->of->held) {
         out->own = out->own ? out->own : own_at(s, &out->is, hits);
-        if (!out->own || !find_held(s, end, out->own))
+        if (!out->own || !find_held(s, g->end, out->own))
             return false;
     }
-    *matter = !s->of->held || matters(s, any);
-    out->is.inward = value_of(s, s->holds ^ any) > value_of(s, s->holds);
+    *matter = !s->of->held || matters(s, g->any);
+    out->is.inward = value_of(s, s->holds ^ g->any) > value_of(s, s->holds);
     return true;
 }
 
-/* The next crossing of the tree. */
-static csg_found find(sweep *s, const pov_hits *hits, found_crossing *out)
+/* The next crossing of the tree. `*more`: others have been reported, and no more is wanted. */
+static csg_found find(sweep *s, pov_hits *hits, found_crossing *out, bool *more)
 {
-    for (uint32_t end; ; s->next = end) {
-        uint32_t any = 0, changed = 0;
-        bool matter;
+    for (uint32_t end; *more; s->next = end) {
+        bool matter, several;
+        near_group g;
 
-        if (!find_group(s, hits, &end))
+        if (!find_end(s, hits, &end))
             return CSG_OPEN;
         if (end == s->next)
             return CSG_NOTHING;
-        for (uint32_t i = s->next; i < end; i++) {
-            any |= 1u << s->at[i].column;
-            changed ^= 1u << s->at[i].column;
-        }
-        matter = may_matter(s, any);
-        if (matter && (end > s->next + 1 || !take(s, end, any, hits, out, &matter)))
+        g = group_up_to(s, end);
+        matter = may_matter(s, g.any);
+        several = matter && end > s->next + 1;
+        if (matter && (several ? !pass_group(s, &g, hits, more) : !take(s, &g, hits, out, &matter)))
             return CSG_OPEN;
-        s->holds ^= changed;
-        if (!matter)
+        s->holds ^= g.changed;
+        if (!matter || several)
             continue;
         s->next = end;
         return CSG_CROSSED;
     }
+    return CSG_NOTHING;
 }
 
 /* ---- what all columns have in common ---- */
@@ -436,7 +504,7 @@ static bool report_found(sweep *s, pov_hits *hits)
 
     while (more) {
         found_crossing f;
-        const csg_found found = find(s, hits, &f);
+        const csg_found found = find(s, hits, &f, &more);
 
         if (found == CSG_OPEN || (found == CSG_CROSSED && !report(s, &f, hits, &more)))
             return false;
@@ -451,10 +519,9 @@ static bool report_in_order(sweep *s, uint32_t from, pov_hits *hits)
 {
     bool done;
 
+    s->unsure = s->has_states = false;
     if (!begin(s, from, hits))
         return false;
-    if (!s->of->values && !s->of->is_product)
-        memcpy(s->w->scratch->states, s->w->tree->outside, s->w->tree->node_count * sizeof *s->w->tree->outside);
     done = report_found(s, hits);
     for (; s->entered; s->entered &= s->entered - 1)
         s->w->scratch->inside[s->of->member[first_of(s->entered)]] = 0;
@@ -477,6 +544,7 @@ static bool report_common(sweep *s, const csg_first *first, pov_hits *hits)
 bool csg_sweep(csg_traversal *w, pov_hits *hits)
 {
     const double most = hits->tmax + hits->slack;
+    const uint32_t count = hits->count;
     sweep s;
     csg_first first;
     csg_found found;
@@ -501,5 +569,12 @@ bool csg_sweep(csg_traversal *w, pov_hits *hits)
     found = hits->want != POV_WANT_ALL && csg_is_common(w->tree) ? find_common(&s, from, &first) : CSG_OPEN;
     if (found == CSG_CROSSED)
         return report_common(&s, &first, hits);
-    return found == CSG_NOTHING || report_in_order(&s, from, hits);
+    if (found == CSG_NOTHING || report_in_order(&s, from, hits))
+        return true;
+    if (!s.unsure || s.exact)
+        return false;
+    hits->count = count;
+    s.exact = true;
+    s.escalated++;
+    return report_in_order(&s, from, hits);
 }

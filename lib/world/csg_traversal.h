@@ -52,10 +52,16 @@ static inline const csg_member *csg_member_at(const csg_traversal *w, const pov_
     return &w->tree->members[csg_which(w, at->owner)];
 }
 
+/* The name by which a ray leaves a member that it starts on: of members that are one surface it knows one. */
+uint32_t csg_name_of(const csg_traversal *w, const csg_member *m);
 /* Cosine between the ray and the normal, times the length of the direction. */
 double csg_slope(const csg_traversal *w, const pov_crossing *at);
 /* Report a crossing of a member as one of the tree. False: nothing more is wanted. */
 bool csg_report(const pov_crossing *at, bool enters, pov_hits *hits);
+/* Merge the crossings from `first` on into those from `least` on. */
+void csg_put_in_order(csg_traversal *w, uint32_t first, uint32_t least);
+/* Pass the crossings that are found, in order, and report those of the tree. False: doubles are not sufficient; `*more`: more is wanted. */
+bool csg_pass(csg_traversal *w, pov_hits *hits, bool exact, bool *more);
 /* The grow function of crossings that have all the room they need. */
 bool csg_no_more(pov_hits *hits);
 /* The first crossing of a tree that has them, for hits that want no more. False: doubles were not sufficient; nothing is
