@@ -243,9 +243,7 @@ static csg_found narrow_by_outline(clip_search *s, const pov_hits *hits, double 
 
     if (!csg_outline_common(s->w->tree->outline, hollows, s->w->ray, &k))
         return CSG_OPEN;
-    *off = CSG_OUTLINE_MARGIN * k.per_unit;
-    if (s->w->tree->outline->endless)
-        *off *= k.from + pov_max(fabs(k.in[0]), fabs(k.out[0]));
+    *off = csg_margin(s->w->tree->outline, &k);
     if (!isfinite(*off))
         return CSG_OPEN;
     s->enter = (k.in[0] - k.start) * k.per_unit;
@@ -464,11 +462,11 @@ bool csg_clipped_first(csg_traversal *w, pov_hits *hits)
     clip_search s;
     double off;
 
+    if (w->tree->clipped.outlined && w->tree->clipped.hollows && !w->tree->members[w->tree->clipped.surface].shape->intersect_between)
+        return csg_hollowed_first(w, hits);
     begin(&s, w);
     if (w->tree->clipped.outlined)
         found = narrow_by_outline(&s, hits, &off);
-    if (found == CSG_CROSSED && w->tree->clipped.hollows && !w->tree->members[w->tree->clipped.surface].shape->intersect_between)
-        return csg_hollows_first(w, s.in, s.out, off, hits);
     if (found == CSG_NOTHING || (found == CSG_CROSSED && find_between(&s, pov_max(s.enter - off, 0.0), s.leave + off, off, hits)))
         return true;
     if (w->tree->clipped.loose)

@@ -87,12 +87,10 @@ static bool add_hollow(hollow_search *s, uint32_t i, double in, double out)
     return true;
 }
 
-static bool begin(hollow_search *s, const double *in, const double *out, const pov_hits *hits)
+static void begin(hollow_search *s, const csg_traversal *w)
 {
-    for (uint32_t i = 0; i < s->w->tree->clipped.count; i++)
-        if (!add_hollow(s, i, in[i], out[i]))
-            return false;
-    return add_surface(s, hits);
+    s->w = w;
+    s->holds = s->escalated = s->count = 0;
 }
 
 static bool is_solid(const hollow_search *s)
@@ -127,26 +125,56 @@ static bool report(hollow_search *s, const event *e, pov_hits *hits)
     return true;
 }
 
-bool csg_hollows_first(const csg_traversal *w, const double *in, const double *out, double off, pov_hits *hits)
+/* The first crossing, where all of the surface's are known, in hollows whose ends are off by less than `off`. False: open. */
+static bool find_first(hollow_search *s, const double *in, const double *out, double off, pov_hits *hits)
 {
     const double most = hits->tmax + hits->slack + off;
+
+    s->off = off;
+    for (uint32_t i = 0; i < s->w->tree->clipped.count; i++)
+        if (!add_hollow(s, i, in[i], out[i]))
+            return false;
+    for (uint32_t i = 0; i < s->count && !(s->at[i].t > most); i++) {
+        const event *e = &s->at[i];
+        const bool before = is_solid(s);
+
+        if (i + 1 < s->count && s->at[i + 1].t - e->t <= 2.0 * off)
+            return false;
+        s->holds ^= 1u << e->of;
+        if (is_solid(s) != before && !csg_is_unseen(member_of(s, e->of)))
+            return report(s, e, hits);
+    }
+    hits->escalated += s->escalated;
+    return true;
+}
+
+bool csg_hollows_first(const csg_traversal *w, const double *in, const double *out, double off, pov_hits *hits)
+{
     hollow_search s;
 
-    s.w = w;
-    s.off = off;
-    s.holds = s.escalated = s.count = 0;
-    if (!begin(&s, in, out, hits))
-        return false;
-    for (uint32_t i = 0; i < s.count && !(s.at[i].t > most); i++) {
-        const event *e = &s.at[i];
-        const bool before = is_solid(&s);
+    begin(&s, w);
+    return add_surface(&s, hits) && find_first(&s, in, out, off, hits);
+}
 
-        if (i + 1 < s.count && s.at[i + 1].t - e->t <= 2.0 * off)
-            return false;
-        s.holds ^= 1u << e->of;
-        if (is_solid(&s) != before && !csg_is_unseen(member_of(&s, e->of)))
-            return report(&s, e, hits);
+/* Many rays that come near such a tree cross nothing of its surface, and so nothing else. */
+bool csg_hollowed_first(const csg_traversal *w, pov_hits *hits)
+{
+    const csg_outline *of = w->tree->outline;
+    hollow_search s;
+    csg_intervals k;
+
+    begin(&s, w);
+    if (!add_surface(&s, hits))
+        return false;
+    if (s.count == 0 && !member_of(&s, SURFACE)->inverse) {
+        hits->escalated += s.escalated;
+        return true;
     }
-    hits->escalated += s.escalated;
-    return true;
+    if (!csg_outline_common(of, w->tree->clipped.hollows, w->ray, &k))
+        return false;
+    for (uint32_t i = 1; i <= w->tree->clipped.count; i++) {
+        k.in[i] = (k.in[i] - k.start) * k.per_unit;
+        k.out[i] = (k.out[i] - k.start) * k.per_unit;
+    }
+    return find_first(&s, k.in + 1, k.out + 1, csg_margin(of, &k), hits);
 }

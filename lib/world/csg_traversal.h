@@ -76,6 +76,8 @@ uint32_t csg_clipped_many(const csg_tree *t, const pov_ray *const *rays, pov_hit
  * open. */
 bool csg_is_hollowed(const csg_tree *t);
 bool csg_hollows_first(const csg_traversal *w, const double *in, const double *out, double off, pov_hits *hits);
+/* The same where the clips have an outline, which is asked where the ray crosses the surface. */
+bool csg_hollowed_first(const csg_traversal *w, pov_hits *hits);
 /* Of n candidates of such a tree, those that do not certainly pass its surface. */
 uint32_t csg_clipped_narrow(const csg_tree *t, const pov_rays *rays, pov_candidate *io, uint32_t n);
 /* Which crossing of a tree with an outline is the first that is not beyond `most`? `from`: the column that the ray starts on, or
@@ -111,6 +113,13 @@ typedef struct csg_intervals {
 bool csg_outline_cross(const csg_outline *of, const pov_ray *ray, csg_intervals *out);
 /* What all columns of clips have in common: the first interval. Behind it those of hollows, one after the other. */
 bool csg_outline_common(const csg_outline *of, uint32_t hollows, const pov_ray *ray, csg_intervals *out);
+/* By how much less than this the ends of these, as distances, are off; infinity if that is not known. */
+static inline double csg_margin(const csg_outline *of, const csg_intervals *k)
+{
+    const double off = CSG_OUTLINE_MARGIN * k->per_unit;
+
+    return of->endless ? off * (k->from + pov_max(fabs(k->in[0]), fabs(k->out[0]))) : off;
+}
 /* Is the tree what all of its columns have in common, all of them seen? Without members that are absent nothing may be. */
 static inline bool csg_is_common(const csg_tree *t)
 {
