@@ -8,11 +8,11 @@
 enum { DENSITIES = 64, DENSITIES_EACH = 2, DENSITIES_SHADOW = 8 };
 
 /* (1 - exp(-x)) / x: the mean of what is left over a stratum of that depth. */
-static double mean_left(double x)
+SIMD_INLINE double mean_left(double x)
 {
-    if (fabs(x) < 0x1p-10)
-        return 1.0 - x * (0.5 - x * (1.0 / 6.0 - x * (1.0 / 24.0)));
-    return (1.0 - elementary_exp(-x)) / x;
+    const double thin = 1.0 - x * (0.5 - x * (1.0 / 6.0 - x * (1.0 / 24.0))), thick = (1.0 - elementary_exp(-x)) / x;
+
+    return fabs(x) < 0x1p-10 ? thin : thick;
 }
 
 static colour colour_of_double(const double c[3]) { return colour_of((float)c[0], (float)c[1], (float)c[2]); }
@@ -59,19 +59,61 @@ static void find_points(const media_march *l, uint32_t first, uint32_t n, double
         at[i - first] = edge[i] + media_jitter(&l->random, i) * (edge[i + 1] - edge[i]);
 }
 
-/* One channel of n strata: the depths at their ends, behind that at their beginning; returns the own light. */
-static double add_up(const double *edge, const double *loss, const double *emitted, uint32_t n, double *depth)
+/* One channel of n strata: the depths at their ends, behind that at their beginning. */
+static void put_depths(const double *edge, const double *loss, uint32_t n, double *depth)
+{
+    for (uint32_t i = 0; i < n; i++)
+        depth[i + 1] = depth[i] + loss[i] * (edge[i + 1] - edge[i]);
+}
+
+/* Of light from strata: what is left before them, and the mean of what is left within. */
+typedef struct leftover { double before[LANES_MAX], within[LANES_MAX]; } leftover;
+
+SIMD_CLONES static void find_leftover(const double *restrict edge, const double *restrict loss, const double *restrict depth, uint32_t n,
+                                      leftover *restrict out)
+{
+    for (uint32_t i = 0; i < n; i++) {
+        out->before[i] = elementary_exp(-depth[i]);
+        out->within[i] = mean_left(loss[i] * (edge[i + 1] - edge[i]));
+    }
+}
+
+static double add_up(const double *edge, const double *emitted, const leftover *left, uint32_t n)
 {
     double given = 0.0;
 
-    for (uint32_t i = 0; i < n; i++) {
-        const double length = edge[i + 1] - edge[i], x = loss[i] * length;
-
-        depth[i + 1] = depth[i] + x;
+    for (uint32_t i = 0; i < n; i++)
         if (emitted[i] != 0.0)
-            given += elementary_exp(-depth[i]) * emitted[i] * length * mean_left(x);
-    }
+            given += left->before[i] * emitted[i] * (edge[i + 1] - edge[i]) * left->within[i];
     return given;
+}
+
+/* Where nothing is lost. */
+static double add_all(const double *edge, const double *emitted, uint32_t n)
+{
+    double given = 0.0;
+
+    for (uint32_t i = 0; i < n; i++)
+        given += emitted[i] * (edge[i + 1] - edge[i]);
+    return given;
+}
+
+/* Own light of n strata, by channel, to `given`. Channels are often alike. */
+static void add_own(const media_march *l, uint32_t first, uint32_t n, const media_optics *o, double given[3])
+{
+    const media_table *t = &l->table;
+    const double *edge = t->strata.edge + first;
+    leftover left;
+
+    for (int c = 0; c < 3; c++) {
+        if (!l->set->dims) {
+            given[c] += add_all(edge, o->emitted[c], n);
+            continue;
+        }
+        if (c == 0 || t->depth[c][first] != t->depth[c - 1][first] || memcmp(o->loss[c], o->loss[c - 1], n * sizeof *edge) != 0)
+            find_leftover(edge, o->loss[c], t->depth[c] + first, n, &left);
+        given[c] += add_up(edge, o->emitted[c], &left, n);
+    }
 }
 
 /* Depths and own light, in strata that are set. */
@@ -87,7 +129,9 @@ static void fill_table(media_march *l, double given[3])
         find_points(l, first, n, t->at);
         media_set_at(l->model, l->set, &l->on, t->at, n, NULL, &o);
         for (int c = 0; c < 3; c++)
-            given[c] += add_up(t->strata.edge + first, o.loss[c], o.emitted[c], n, t->depth[c] + first);
+            put_depths(t->strata.edge + first, o.loss[c], n, t->depth[c] + first);
+        if (l->set->shines)
+            add_own(l, first, n, &o, given);
     }
     t->reused = l->set->varies && l->set->scatters && t->strata.count <= LANES_MAX;
     if (t->reused)
@@ -107,7 +151,8 @@ static void fill_even_table(media_march *l, double given[3])
     t->reused = false;
     for (int c = 0; c < 3; c++) {
         t->depth[c][0] = 0.0;
-        given[c] = add_up(t->strata.edge, &o[c].loss, &o[c].emitted, 1, t->depth[c]);
+        put_depths(t->strata.edge, &o[c].loss, 1, t->depth[c]);
+        given[c] = o[c].emitted != 0.0 ? o[c].emitted * l->on.length * mean_left(t->depth[c][1]) : 0.0;
         t->scatter[c][0] = o[c].scatter;
     }
 }
@@ -173,6 +218,8 @@ colour media_transmittance(const model *m, const media_set *s, const media_segme
 {
     media_march l;
 
+    if (!s->dims)
+        return colour_of(1.0f, 1.0f, 1.0f);
     if (!s->varies)
         return even_transmittance(m, s, on->length);
     l.model = m;

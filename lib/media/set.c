@@ -10,6 +10,8 @@ void media_set_add(media_set *s, const media *m, uint32_t leaf)
         const medium *one = &m->items[i];
 
         s->varies |= medium_varies(one);
+        s->dims |= medium_dims(one);
+        s->shines |= !colour_is_black(one->emission);
         s->scatters |= !colour_is_black(one->scattering);
         s->strata = one->strata > s->strata ? one->strata : s->strata;
         s->of[s->count++] = (media_member){ one, leaf };

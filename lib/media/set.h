@@ -15,7 +15,7 @@ typedef struct media_member { const medium *medium; uint32_t leaf; } media_membe
 typedef struct media_set {
     uint32_t count;
     bool varies;                 /* some density does */
-    bool scatters;
+    bool dims, shines, scatters;
     uint32_t strata;             /* the most that one of them asks for */
     media_member of[MEDIA_SET_MAX];
 } media_set;

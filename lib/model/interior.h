@@ -22,7 +22,7 @@ void interior_init(interior *i);
 /* Does light on its way depend on where it crosses the surface? */
 static inline bool interior_is_located(const interior *i)
 {
-    return i->fade_distance > 0.0 || i->caustics != 0.0f || i->media;
+    return i->fade_distance > 0.0 || i->caustics != 0.0f || media_dim(i->media);
 }
 void interior_set_ior(interior *i, double ior);
 void interior_ask_dispersion(interior *i, double dispersion);

@@ -31,6 +31,20 @@ static inline bool medium_varies(const medium *m)
     return false;
 }
 
+/* Does it take light from rays? Media that only shine do not. */
+static inline bool medium_dims(const medium *m)
+{
+    return !colour_is_black(m->absorption) || (m->extinction != 0.0f && !colour_is_black(m->scattering));
+}
+
+static inline bool media_dim(const media *m)
+{
+    for (uint32_t i = 0; m && i < m->count; i++)
+        if (medium_dims(&m->items[i]))
+            return true;
+    return false;
+}
+
 static inline bool media_scatter(const media *m)
 {
     for (uint32_t i = 0; m && i < m->count; i++)

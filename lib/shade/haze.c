@@ -76,7 +76,7 @@ void haze_dim(const shading *scene, interior_walk *around, const pov_ray *const 
             media_set set;
 
             walk_media(scene, &around[i], &set);
-            if (set.count > 0 && at->t > before)
+            if (set.dims && at->t > before)
                 dim(scene, &set, rays[i], before, at->t, i, &d);
             walk_over(scene, &around[i], rays[i], at);
             before = at->t;
@@ -175,7 +175,7 @@ static void attenuate_by_atmosphere(const shading *scene, const light_segments *
     media_set set;
 
     walk_atmosphere(scene, 0, &set);
-    if (set.count > 0)
+    if (set.dims)
         (set.varies ? dim_by_varied : dim_by_even)(scene, &set, on, to, through);
 }
 

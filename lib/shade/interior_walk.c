@@ -47,7 +47,7 @@ void walk_cross(const shading *scene, interior_walk *w, uint32_t object, bool en
 void walk_media(const shading *scene, const interior_walk *w, media_set *out)
 {
     out->count = out->strata = 0;
-    out->varies = out->scatters = false;
+    out->varies = out->dims = out->shines = out->scatters = false;
     for (uint32_t i = 0; w->solids == 0 && i < w->count; i++)
         if (media_of(scene, w->in[i]))
             media_set_add(out, media_of(scene, w->in[i]), w->in[i]);
@@ -56,7 +56,7 @@ void walk_media(const shading *scene, const interior_walk *w, media_set *out)
 void walk_atmosphere(const shading *scene, uint32_t solids, media_set *out)
 {
     out->count = out->strata = 0;
-    out->varies = out->scatters = false;
+    out->varies = out->dims = out->shines = out->scatters = false;
     if (scene->model->atmosphere && solids == 0)
         media_set_add(out, scene->model->atmosphere, MEDIA_AIR);
 }

@@ -143,6 +143,25 @@ static void thin_media_lose_no_digits(void **state)
     assert_near((double)l.given.r, 0.5 * (1.0 - 1e-7), 1e-7);
 }
 
+static void media_that_only_shine_take_no_light(void **state)
+{
+    const medium bright = grey_medium(0.0f, 0.25f, 0.0f), dense = grey_medium(0.5f, 0.0f, 0.0f);
+    const media both = { 1, &bright };
+    media_set s = set_of(&bright, 1);
+    media_march l;
+    model none;
+    (void)state;
+
+    memset(&none, 0, sizeof none);
+    assert_false(media_dim(&both) || s.dims || !s.shines);
+    begin(&l, &none, &s, &ahead);
+    assert_true(l.through.r == 1.0f && l.given.g == 0.5f && media_transmittance(&none, &s, &ahead).b == 1.0f);
+    s = set_of(&dense, 1);
+    assert_true(medium_dims(&dense) && s.dims && !s.shines);
+    begin(&l, &none, &s, &ahead);
+    assert_true(l.through.r < 1.0f && l.given.g == 0.0f);
+}
+
 static void only_so_many_media_act(void **state)
 {
     medium many[MEDIA_SET_MAX + 3];
@@ -325,6 +344,7 @@ int main(void)
         cmocka_unit_test(jitter_of_neighbours_cancels),
         cmocka_unit_test(constant_media_have_closed_forms),
         cmocka_unit_test(thin_media_lose_no_digits),
+        cmocka_unit_test(media_that_only_shine_take_no_light),
         cmocka_unit_test(only_so_many_media_act),
         cmocka_unit_test(phases_are_those_of_povray),
         cmocka_unit_test(samples_of_light_add_up_to_the_integral),
