@@ -95,8 +95,8 @@ static void place(const media_segment *on, const double *at, uint32_t n, texture
 {
     out->has_surface = false;
     out->parts = NULL;
-    for (uint32_t i = 0; i < n; i++)
-        texture_point(out, i, pov_add(on->from, pov_scale(on->dir, at[i])), pov_vec3_of(0.0, 0.0, 0.0));
+    for (uint32_t i = 0; i < lanes_whole(n); i++)
+        texture_point(out, i, pov_add(on->from, pov_scale(on->dir, at[i < n ? i : n - 1])), pov_vec3_of(0.0, 0.0, 0.0));
 }
 
 static void clear(media_optics *o, uint32_t n)

@@ -151,6 +151,7 @@ void noise_vectors(const noise_tables *t, const vec_lanes *at, double scale, uin
     const uint32_t whole = lanes_whole(n);
     lattice l;
 
+    clear_behind(&l, whole);
     locate(at, scale, is_near(at, scale, whole), whole, &l);
     sum_vector(t, &l, n, value);
 }
@@ -234,6 +235,7 @@ static void add_octaves(const noise_tables *t, const turbulence *of, const vec_l
     vec_lanes term;
     lattice l;
 
+    clear_behind(&l, lanes_whole(n));
     for (uint32_t octave = 0; octave == 0 || octave < of->octaves; octave++) {
         vec_lanes *const to = octave == 0 ? value : &term;
 
