@@ -1,11 +1,12 @@
-#include "media/march.h"
+#include "media/matter.h"
 
 #include "base/elementary.h"
 
 #include <string.h>
 
-/* Strata in which densities are asked for: at least, and for each that the scene wants; and of a shadow ray. */
-enum { DENSITIES = 64, DENSITIES_EACH = 2, DENSITIES_SHADOW = 8 };
+/* Strata in which densities are asked for, before some are split: where the scene says nothing, at least, and for each sample of many
+ * that it wants; and of a shadow ray, where none is split. */
+enum { DENSITIES = 32, DENSITIES_LEAST = 16, DENSITIES_EACH = 2, DENSITIES_SHADOW = 8 };
 
 /* (1 - exp(-x)) / x: the mean of what is left over a stratum of that depth. */
 SIMD_INLINE double mean_left(double x)
@@ -50,20 +51,20 @@ static uint32_t find_dense(const media_table *t)
     return k;
 }
 
-/* Points of n strata from the first one on. */
-static void find_points(const media_march *l, uint32_t first, uint32_t n, double *at)
-{
-    const double *edge = l->table.strata.edge;
-
-    for (uint32_t i = first; i < first + n; i++)
-        at[i - first] = edge[i] + media_jitter(&l->random, i) * (edge[i + 1] - edge[i]);
-}
-
 /* One channel of n strata: the depths at their ends, behind that at their beginning. */
 static void put_depths(const double *edge, const double *loss, uint32_t n, double *depth)
 {
     for (uint32_t i = 0; i < n; i++)
         depth[i + 1] = depth[i] + loss[i] * (edge[i + 1] - edge[i]);
+}
+
+static void add_depths(media_table *t, const media_matter *m)
+{
+    for (int c = 0; c < 3; c++) {
+        t->depth[c][0] = 0.0;
+        for (uint32_t first = 0; first < t->strata.count; first += LANES_MAX)
+            put_depths(t->strata.edge + first, m->of[first / LANES_MAX].loss[c], matter_block(&t->strata, first), t->depth[c] + first);
+    }
 }
 
 /* Of light from strata: what is left before them, and the mean of what is left within. */
@@ -98,8 +99,8 @@ static double add_all(const double *edge, const double *emitted, uint32_t n)
     return given;
 }
 
-/* Own light of n strata, by channel, to `given`. Channels are often alike. */
-static void add_own(const media_march *l, uint32_t first, uint32_t n, const media_optics *o, double given[3])
+/* The same by channel, of n strata. Channels are often alike. */
+static void add_block(const media_march *l, uint32_t first, uint32_t n, const media_optics *o, double given[3])
 {
     const media_table *t = &l->table;
     const double *edge = t->strata.edge + first;
@@ -116,26 +117,31 @@ static void add_own(const media_march *l, uint32_t first, uint32_t n, const medi
     }
 }
 
-/* Depths and own light, in strata that are set. */
-static void fill_table(media_march *l, double given[3])
+static void add_own(const media_march *l, const media_matter *m, double given[3])
+{
+    const media_strata *s = &l->table.strata;
+
+    given[0] = given[1] = given[2] = 0.0;
+    for (uint32_t first = 0; l->set->shines && first < s->count; first += LANES_MAX)
+        add_block(l, first, matter_block(s, first), &m->of[first / LANES_MAX], given);
+}
+
+static void find_matter(media_march *l, media_matter *m)
+{
+    matter_find(l, m);
+    add_depths(&l->table, m);
+}
+
+/* The points are of use for lights, too. */
+static void keep_points(media_march *l, const media_matter *m)
 {
     media_table *t = &l->table;
-    media_optics o;
 
-    for (int c = 0; c < 3; c++)
-        given[c] = t->depth[c][0] = 0.0;
-    for (uint32_t first = 0, n; first < t->strata.count; first += n) {
-        n = t->strata.count - first < LANES_MAX ? t->strata.count - first : LANES_MAX;
-        find_points(l, first, n, t->at);
-        media_set_at(l->model, l->set, &l->on, t->at, n, NULL, &o);
-        for (int c = 0; c < 3; c++)
-            put_depths(t->strata.edge + first, o.loss[c], n, t->depth[c] + first);
-        if (l->set->shines)
-            add_own(l, first, n, &o, given);
+    t->reused = l->set->scatters && t->strata.count <= LANES_MAX;
+    if (t->reused) {
+        memcpy(t->at, m->at, sizeof t->at);
+        memcpy(t->scatter, m->of[0].scatter, sizeof t->scatter);
     }
-    t->reused = l->set->varies && l->set->scatters && t->strata.count <= LANES_MAX;
-    if (t->reused)
-        memcpy(t->scatter, o.scatter, sizeof t->scatter);
 }
 
 /* The whole segment is one stratum. */
@@ -158,18 +164,33 @@ static void fill_even_table(media_march *l, double given[3])
 }
 
 /* Where light comes to an end early the strata are made anew, up to there. */
-static void make_table(media_march *l, uint32_t wanted, double given[3])
+static void find_strata(media_march *l, uint32_t wanted, media_matter *m)
 {
     enum { ROUNDS = 4 };
     media_table *t = &l->table;
 
     divide(l, wanted, HUGE_VAL);
-    fill_table(l, given);
+    find_matter(l, m);
     for (uint32_t round = 1, k; round < ROUNDS && 2 * (k = find_dense(t)) < t->strata.count; round++) {
         l->random.key = mix_bits(l->random.key + round);
         divide(l, wanted, t->strata.edge[k + (k == 0)]);
-        fill_table(l, given);
+        find_matter(l, m);
     }
+}
+
+static void make_table(media_march *l, uint32_t wanted, double given[3])
+{
+    media_matter few, split;
+    uint64_t uneven;
+
+    find_strata(l, wanted, &few);
+    uneven = wanted > DENSITIES_SHADOW && wanted <= LANES_MAX ? matter_uneven(l, &few) : 0;
+    if (uneven) {
+        matter_split(l, &few, uneven, &split);
+        add_depths(&l->table, &split);
+    }
+    add_own(l, uneven ? &split : &few, given);
+    keep_points(l, uneven ? &split : &few);
 }
 
 /* What is left of light behind these depths, which are often alike. */
@@ -197,9 +218,18 @@ static void fill(media_march *l, uint32_t wanted)
     l->through = left_at(whole);
 }
 
+static uint32_t densities_for(uint32_t asked)
+{
+    if (asked == 0)
+        return DENSITIES;
+    if (asked > DENSITIES)
+        return asked * DENSITIES_EACH;
+    return asked > DENSITIES_LEAST ? asked : DENSITIES_LEAST;
+}
+
 void media_march_begin(media_march *l)
 {
-    fill(l, l->set->strata * DENSITIES_EACH > DENSITIES ? l->set->strata * DENSITIES_EACH : DENSITIES);
+    fill(l, densities_for(l->set->strata));
 }
 
 /* As fill_even_table() has it. */

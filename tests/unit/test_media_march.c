@@ -1,6 +1,6 @@
 /* Media along a segment: strata, loss, own light, and samples of lights. */
 #include "light/reach.h"
-#include "media/march.h"
+#include "media/matter.h"
 #include "media/phase.h"
 #include "support/check.h"
 #include "support/near.h"
@@ -172,6 +172,65 @@ static void only_so_many_media_act(void **state)
         many[i] = grey_medium(1.0f, 0.0f, 0.0f);
     s = set_of(many, MEDIA_SET_MAX + 3);
     assert_int_equal(s.count, MEDIA_SET_MAX);
+}
+
+/* ---- strata that are split ---- */
+
+enum { FEW = 16 };
+
+/* Sixteen strata; from one of them on there is light. */
+static void begin_step(media_march *l, const model *m, const media_set *s, uint32_t from, media_matter *out)
+{
+    const media_division by = { .lo = 0.0, .hi = ahead.length, .wanted = FEW };
+
+    begin(l, m, s, &ahead);
+    media_divide(&by, &l->table.strata);
+    matter_find(l, out);
+    for (int c = 0; c < 3; c++)
+        for (uint32_t i = 0; i < from; i++)
+            out->of[0].emitted[c][i] = 0.0;
+}
+
+static void strata_are_split_where_those_beside_them_differ(void **state)
+{
+    const medium bright = grey_medium(0.0f, 8.0f, 0.0f);
+    const media_set s = set_of(&bright, 1);
+    media_matter at;
+    media_march l;
+    model none;
+    (void)state;
+
+    memset(&none, 0, sizeof none);
+    begin_step(&l, &none, &s, 0, &at);
+    assert_true(matter_uneven(&l, &at) == 0);
+    begin_step(&l, &none, &s, 7, &at);
+    assert_true(matter_uneven(&l, &at) == 0x3f0);
+    l.weight = 1e-3;
+    assert_true(matter_uneven(&l, &at) == 0);
+}
+
+static void split_strata_keep_their_points(void **state)
+{
+    const medium bright = grey_medium(0.0f, 8.0f, 0.0f);
+    const media_set s = set_of(&bright, 1);
+    media_matter few, more;
+    uint32_t kept = 0;
+    media_march l;
+    model none;
+    (void)state;
+
+    memset(&none, 0, sizeof none);
+    begin_step(&l, &none, &s, 7, &few);
+    matter_split(&l, &few, (uint64_t)1 << 3 | (uint64_t)1 << 15, &more);
+    assert_int_equal(l.table.strata.count, FEW + 6);
+    assert_true(l.table.strata.edge[FEW + 6] == ahead.length);
+    for (uint32_t i = 0; i < FEW + 6; i++) {
+        assert_true(l.table.strata.edge[i] <= more.at[i] && more.at[i] <= l.table.strata.edge[i + 1]);
+        assert_true(more.of[0].emitted[1][i] == 8.0 || i < 10);
+        for (uint32_t k = 0; k < FEW; k++)
+            kept += more.at[i] == few.at[k] && more.of[0].emitted[1][i] == few.of[0].emitted[1][k];
+    }
+    assert_int_equal(kept, FEW);
 }
 
 /* ---- scattered light ---- */
@@ -346,6 +405,8 @@ int main(void)
         cmocka_unit_test(thin_media_lose_no_digits),
         cmocka_unit_test(media_that_only_shine_take_no_light),
         cmocka_unit_test(only_so_many_media_act),
+        cmocka_unit_test(strata_are_split_where_those_beside_them_differ),
+        cmocka_unit_test(split_strata_keep_their_points),
         cmocka_unit_test(phases_are_those_of_povray),
         cmocka_unit_test(samples_of_light_add_up_to_the_integral),
         cmocka_unit_test(faint_light_has_few_samples),
