@@ -58,11 +58,15 @@ static void put_depths(const double *edge, const double *loss, uint32_t n, doubl
         depth[i + 1] = depth[i] + loss[i] * (edge[i + 1] - edge[i]);
 }
 
-static void add_depths(media_table *t, const media_matter *m)
+static void add_depths(media_march *l, const media_matter *m)
 {
+    media_table *t = &l->table;
+
     for (int c = 0; c < 3; c++) {
         t->depth[c][0] = 0.0;
-        for (uint32_t first = 0; first < t->strata.count; first += LANES_MAX)
+        if (!l->set->dims)
+            memset(t->depth[c], 0, (t->strata.count + 1) * sizeof *t->depth[c]);
+        for (uint32_t first = 0; l->set->dims && first < t->strata.count; first += LANES_MAX)
             put_depths(t->strata.edge + first, m->of[first / LANES_MAX].loss[c], matter_block(&t->strata, first), t->depth[c] + first);
     }
 }
@@ -129,7 +133,7 @@ static void add_own(const media_march *l, const media_matter *m, double given[3]
 static void find_matter(media_march *l, media_matter *m)
 {
     matter_find(l, m);
-    add_depths(&l->table, m);
+    add_depths(l, m);
 }
 
 /* The points are of use for lights, too. */
@@ -171,7 +175,7 @@ static void find_strata(media_march *l, uint32_t wanted, media_matter *m)
 
     divide(l, wanted, HUGE_VAL);
     find_matter(l, m);
-    for (uint32_t round = 1, k; round < ROUNDS && 2 * (k = find_dense(t)) < t->strata.count; round++) {
+    for (uint32_t round = 1, k; l->set->dims && round < ROUNDS && 2 * (k = find_dense(t)) < t->strata.count; round++) {
         l->random.key = mix_bits(l->random.key + round);
         divide(l, wanted, t->strata.edge[k + (k == 0)]);
         find_matter(l, m);
@@ -187,7 +191,7 @@ static void make_table(media_march *l, uint32_t wanted, double given[3])
     uneven = wanted > DENSITIES_SHADOW && wanted <= LANES_MAX ? matter_uneven(l, &few) : 0;
     if (uneven) {
         matter_split(l, &few, uneven, &split);
-        add_depths(&l->table, &split);
+        add_depths(l, &split);
     }
     add_own(l, uneven ? &split : &few, given);
     keep_points(l, uneven ? &split : &few);
@@ -206,16 +210,16 @@ static colour left_at(const double depth[3])
 static void fill(media_march *l, uint32_t wanted)
 {
     const media_table *t = &l->table;
-    double given[3], whole[3];
+    double given[3];
 
     if (l->set->varies)
         make_table(l, wanted, given);
     else
         fill_even_table(l, given);
-    for (int c = 0; c < 3; c++)
-        whole[c] = t->depth[c][t->strata.count];
     l->given = colour_of_double(given);
-    l->through = left_at(whole);
+    l->through = colour_of(1.0f, 1.0f, 1.0f);
+    if (l->set->dims)
+        l->through = left_at((const double[3]){ t->depth[0][t->strata.count], t->depth[1][t->strata.count], t->depth[2][t->strata.count] });
 }
 
 static uint32_t densities_for(uint32_t asked)

@@ -2,6 +2,8 @@
 
 #include "base/elementary.h"
 
+#include <string.h>
+
 /* Points of n strata from the first one on. */
 static void find_points(const media_march *l, uint32_t first, uint32_t n, double *at)
 {
@@ -30,26 +32,38 @@ static const double uneven_light = 0x1p-5;
 /* The least and the most of each pair, in one channel. */
 typedef struct ranges { double least[LANES_MAX / 2], most[LANES_MAX / 2]; } ranges;
 
-static void find_ranges(const media_optics *o, int c, uint32_t pairs, ranges *out)
+static void add_what(double *restrict sum, const double *restrict of, uint32_t n)
 {
-    for (uint32_t p = 0; p < pairs; p++) {
-        const double a = o->loss[c][2 * p] + o->emitted[c][2 * p] + o->scatter[c][2 * p];
-        const double b = o->loss[c][2 * p + 1] + o->emitted[c][2 * p + 1] + o->scatter[c][2 * p + 1];
+    for (uint32_t i = 0; i < n; i++)
+        sum[i] += of[i];
+}
 
-        out->least[p] = pov_min(a, b);
-        out->most[p] = pov_max(a, b);
+static void find_ranges(const media_set *s, const media_optics *o, int c, uint32_t pairs, ranges *out)
+{
+    double all[LANES_MAX];
+
+    memset(all, 0, 2 * pairs * sizeof *all);
+    if (s->dims)
+        add_what(all, o->loss[c], 2 * pairs);
+    if (s->shines)
+        add_what(all, o->emitted[c], 2 * pairs);
+    if (s->scatters)
+        add_what(all, o->scatter[c], 2 * pairs);
+    for (uint32_t p = 0; p < pairs; p++) {
+        out->least[p] = pov_min(all[2 * p], all[2 * p + 1]);
+        out->most[p] = pov_max(all[2 * p], all[2 * p + 1]);
     }
 }
 
 /* How much the pairs beside each differ, in the channel where they do most; the first and the last one ask two on one side. */
-static void compare_pairs(const media_optics *o, uint32_t pairs, double *uneven)
+static void compare_pairs(const media_set *s, const media_optics *o, uint32_t pairs, double *uneven)
 {
     ranges r;
 
     for (uint32_t p = 0; p < pairs; p++)
         uneven[p] = 0.0;
     for (int c = 0; c < 3; c++) {
-        find_ranges(o, c, pairs, &r);
+        find_ranges(s, o, c, pairs, &r);
         for (uint32_t p = 0; p < pairs; p++) {
             const uint32_t a = p > 0 ? p - 1 : 2, b = p + 1 < pairs ? p + 1 : p - 2;
 
@@ -73,7 +87,7 @@ uint64_t matter_uneven(const media_march *l, const media_matter *m)
 
     if (pairs < 3)
         return 0;
-    compare_pairs(&m->of[0], pairs, uneven);
+    compare_pairs(l->set, &m->of[0], pairs, uneven);
     for (uint32_t p = 0; p < pairs; p++) {
         const double change = uneven[p] * (edge[2 * p + 2] - edge[2 * p]) * l->weight;
 
@@ -89,15 +103,18 @@ uint64_t matter_uneven(const media_march *l, const media_matter *m)
 enum { PARTS = 4 };
 static const uint32_t part_numbers = 1u << 31;
 
-static void put_optics(const media_optics *from, uint32_t i, media_matter *to, uint32_t k)
+static void put_optics(const media_set *s, const media_optics *from, uint32_t i, media_matter *to, uint32_t k)
 {
     media_optics *o = &to->of[k / LANES_MAX];
     const uint32_t lane = k % LANES_MAX;
 
     for (int c = 0; c < 3; c++) {
-        o->loss[c][lane] = from->loss[c][i];
-        o->emitted[c][lane] = from->emitted[c][i];
-        o->scatter[c][lane] = from->scatter[c][i];
+        if (s->dims)
+            o->loss[c][lane] = from->loss[c][i];
+        if (s->shines)
+            o->emitted[c][lane] = from->emitted[c][i];
+        if (s->scatters)
+            o->scatter[c][lane] = from->scatter[c][i];
     }
 }
 
@@ -132,7 +149,7 @@ static void put_parts(const media_march *l, const media_matter *m, uint32_t i, m
         to->edge[k] = lo + width * ((double)q / PARTS);
         out->at[k] = at[q];
         if (q == own) {
-            put_optics(&m->of[0], i, out, k);
+            put_optics(l->set, &m->of[0], i, out, k);
             continue;
         }
         f->at[f->count] = at[q];
@@ -148,7 +165,7 @@ static void find_fresh(const media_march *l, const fresh *f, media_matter *out)
         n = f->count - first < LANES_MAX ? f->count - first : LANES_MAX;
         media_set_at(l->model, l->set, &l->on, f->at + first, n, NULL, &o);
         for (uint32_t i = 0; i < n; i++)
-            put_optics(&o, i, out, f->in[first + i]);
+            put_optics(l->set, &o, i, out, f->in[first + i]);
     }
 }
 
@@ -166,7 +183,7 @@ void matter_split(media_march *l, const media_matter *m, uint64_t which, media_m
         }
         to.edge[to.count] = from->edge[i];
         out->at[to.count] = m->at[i];
-        put_optics(&m->of[0], i, out, to.count++);
+        put_optics(l->set, &m->of[0], i, out, to.count++);
     }
     to.edge[to.count] = from->edge[from->count];
     l->table.strata = to;

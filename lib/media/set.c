@@ -75,20 +75,22 @@ static void find_optics(const medium *of, bool lit, media_channel out[3])
     }
 }
 
-static void add_channel(double *restrict loss, double *restrict emitted, double *restrict scatter, const double *restrict by,
-                        media_channel one, uint32_t n)
+static void add_by(double *restrict sum, const double *restrict by, double one, uint32_t n)
 {
-    for (uint32_t i = 0; i < n; i++) {
-        loss[i] += by[i] * one.loss;
-        emitted[i] += by[i] * one.emitted;
-        scatter[i] += by[i] * one.scatter;
-    }
+    for (uint32_t i = 0; i < n; i++)
+        sum[i] += by[i] * one;
 }
 
-static void add(media_optics *o, const media_channel one[3], const density *d, uint32_t n)
+static void add(const media_set *s, media_optics *o, const media_channel one[3], const density *d, uint32_t n)
 {
-    for (int c = 0; c < 3; c++)
-        add_channel(o->loss[c], o->emitted[c], o->scatter[c], d->by[c], one[c], n);
+    for (int c = 0; c < 3; c++) {
+        if (s->dims)
+            add_by(o->loss[c], d->by[c], one[c].loss, n);
+        if (s->shines)
+            add_by(o->emitted[c], d->by[c], one[c].emitted, n);
+        if (s->scatters)
+            add_by(o->scatter[c], d->by[c], one[c].scatter, n);
+    }
 }
 
 static void place(const media_segment *on, const double *at, uint32_t n, texture_points *out)
@@ -99,11 +101,16 @@ static void place(const media_segment *on, const double *at, uint32_t n, texture
         texture_point(out, i, pov_add(on->from, pov_scale(on->dir, at[i < n ? i : n - 1])), pov_vec3_of(0.0, 0.0, 0.0));
 }
 
-static void clear(media_optics *o, uint32_t n)
+static void clear(const media_set *s, media_optics *o, uint32_t n)
 {
-    for (int c = 0; c < 3; c++)
-        for (uint32_t i = 0; i < n; i++)
-            o->loss[c][i] = o->emitted[c][i] = o->scatter[c][i] = 0.0;
+    for (int c = 0; c < 3; c++) {
+        if (s->dims)
+            memset(o->loss[c], 0, n * sizeof *o->loss[c]);
+        if (s->shines)
+            memset(o->emitted[c], 0, n * sizeof *o->emitted[c]);
+        if (s->scatters)
+            memset(o->scatter[c], 0, n * sizeof *o->scatter[c]);
+    }
 }
 
 void media_set_even(const model *m, const media_set *s, const light *by, media_channel out[3])
@@ -156,10 +163,10 @@ void media_set_at(const model *m, const media_set *s, const media_segment *on, c
         return;
     }
     place(on, at, n, &points);
-    clear(out, n);
+    clear(s, out, n);
     for (uint32_t i = 0; i < s->count; i++) {
         find_density(m, s->of[i].medium, &points, n, &d);
         find_optics(s->of[i].medium, is_lit(m, &s->of[i], by), one);
-        add(out, one, &d, n);
+        add(s, out, one, &d, n);
     }
 }

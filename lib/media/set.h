@@ -23,7 +23,8 @@ typedef struct media_set {
 /* A piece of a ray: unit direction. */
 typedef struct media_segment { pov_vec3 from, dir; double length; } media_segment;
 
-/* Sums over the media by channel and lane, per unit of length: lost light, own light, scattered light. */
+/* Sums over the media by channel and lane, per unit of length: lost light, own light, scattered light. Each is set if some of the media
+ * does it: if the set dims, shines, scatters. */
 typedef struct media_optics { double loss[3][LANES_MAX], emitted[3][LANES_MAX], scatter[3][LANES_MAX]; } media_optics;
 
 void media_set_add(media_set *s, const media *m, uint32_t leaf);
