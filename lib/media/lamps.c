@@ -10,6 +10,8 @@
  * light that is seen if nothing shadows it. */
 enum { RAYS_LEAST = 6, RAYS_MOST = LANES_MAX, RAYS_FEW = 4, RAYS_MANY = 32 };
 static const double rays_by_light = 30.0;
+/* Lights beyond so many lengths of a segment are far from it. */
+static const double far_off = 4.0;
 /* Points of the segment, one in each of some strata, and by channel what is left of light from there, times the length
  * that the point stands for. */
 typedef struct places {
@@ -79,6 +81,14 @@ static void fill_places(const media_march *l, const media_strata *s, uint32_t nu
     set_weights(l, length, p);
 }
 
+/* Is a light so far from the segment that it comes from almost the same direction everywhere? */
+static bool is_far(const media_division *by, double off)
+{
+    const double length = by->hi - by->lo, before = pov_max(by->lo - by->middle, by->middle - by->hi), gap = pov_max(before, 0.0);
+
+    return off * off + gap * gap > far_off * far_off * length * length;
+}
+
 /* Around a light that is near, light and angles change fast. */
 static void set_middle(const media_march *l, const light *from, bool alike, media_division *by)
 {
@@ -92,6 +102,7 @@ static void set_middle(const media_march *l, const light *from, bool alike, medi
         return;
     by->middle = pov_dot(to, l->on.dir);
     off = pov_sub(to, pov_scale(l->on.dir, by->middle));
+    by->has_middle = !is_far(by, sqrt(pov_dot(off, off)));
     by->distance = sqrt(pov_dot(off, off) + faded * faded);
     if (!(by->distance > least))
         by->distance = least;

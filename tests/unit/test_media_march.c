@@ -326,6 +326,37 @@ static void faint_light_has_few_samples(void **state)
     assert_true(few.count <= 4 && many.count > 8);
 }
 
+/* Does each of 64 equal strata hold a sample? */
+static bool are_spread_evenly(const light *l)
+{
+    medium m = grey_medium(0.0f, 0.0f, 0.01f);
+    media_samples samples;
+    media_march march;
+    media_set s;
+    model none;
+
+    memset(&none, 0, sizeof none);
+    m.type = SCATTER_HAZE;
+    s = set_of(&m, 1);
+    s.strata = LANES_MAX;
+    begin(&march, &none, &s, &ahead);
+    if (!media_sample_light(&march, l, light_class_of(l), 0, &samples) || samples.count != LANES_MAX)
+        return false;
+    for (uint32_t i = 0; i < LANES_MAX; i++)
+        if ((uint32_t)(samples.at[i] / ahead.length * LANES_MAX) != i)
+            return false;
+    return true;
+}
+
+static void strata_are_equal_where_a_light_is_far(void **state)
+{
+    const light far = light_at(0.0, 9.0, 1.0), near = light_at(0.0, 0.1, 1.0), behind = light_at(0.0, 0.1, -9.0);
+    (void)state;
+
+    assert_true(are_spread_evenly(&far) && are_spread_evenly(&behind));
+    assert_false(are_spread_evenly(&near));
+}
+
 /* ---- where lights reach ---- */
 
 static bool is_lit(const light *l, pov_vec3 at)
@@ -410,6 +441,7 @@ int main(void)
         cmocka_unit_test(phases_are_those_of_povray),
         cmocka_unit_test(samples_of_light_add_up_to_the_integral),
         cmocka_unit_test(faint_light_has_few_samples),
+        cmocka_unit_test(strata_are_equal_where_a_light_is_far),
         cmocka_unit_test(a_light_reaches_what_its_cone_holds),
         cmocka_unit_test(points_of_light_reach_everywhere),
     };
