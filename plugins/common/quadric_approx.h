@@ -159,41 +159,49 @@ COMMON_INLINE pov_vec3 gradient_beyond(const common_quadric *s, const common_ray
 
 /* ---- planes ---- */
 
-/* Without a second order the value at the origin and the slope, both in double-double, give the crossing as exactly. */
-typedef struct plane_crossing {
-    common_root root;
-    double slope;            /* negative: the ray enters */
-    int is_sound;            /* the root's error bound holds */
-} plane_crossing;
+/* The equation of a plane along a ray, which has no second order: its value at the ray's start and its change along the ray, off by
+ * less than 2^-98 of the sizes. In double-double they give the crossing as exactly. */
+typedef struct plane_along { pov_two value, slope; double value_size, slope_size; } plane_along;
 
-/* value, slope: the equation's at the ray's start, and its change along the ray; off by less than 2^-98 of the sizes. */
-COMMON_INLINE plane_crossing cross_at(pov_two value, pov_two slope, double value_size, double slope_size)
-{
-    const double value_error = 0x1p-98 * value_size, slope_error = 0x1p-98 * slope_size, size = fabs(slope.hi);
-    plane_crossing c;
-
-    c.root.t = pov_two_neg(pov_two_div(value, slope));
-    c.root.error = 1.1 * (value_error + fabs(c.root.t.hi) * slope_error) / size + 0x1p-100 * fabs(c.root.t.hi);
-    c.root.feature = c.root.flags = 0;
-    c.slope = slope.hi;
-    c.is_sound = (int)(size > 16.0 * slope_error) & (int)(size > COMMON_TINY) & (int)(fabs(value.hi) > COMMON_TINY);
-    return c;
-}
-
-COMMON_INLINE plane_crossing cross_plane(pov_two3 n, pov_two at_anchor, const common_ray *k)
+COMMON_INLINE plane_along along_plane(pov_two3 n, pov_two at_anchor, const common_ray *k)
 {
     const pov_vec3 n_size = pov_vec3_of(fabs(n.x.hi), fabs(n.y.hi), fabs(n.z.hi));
-    const pov_two value = pov_two_add(common_fast_dot(n, k->f), at_anchor), slope = common_fast_dot(n, common_direction(k));
+    const plane_along a = { pov_two_add(common_fast_dot(n, k->f), at_anchor), common_fast_dot(n, common_direction(k)),
+                            common_sum_of_sizes(n_size, pov_two3_hi(k->f)) + fabs(at_anchor.hi), common_sum_of_sizes(n_size, k->d) };
 
-    return cross_at(value, slope, common_sum_of_sizes(n_size, pov_two3_hi(k->f)) + fabs(at_anchor.hi), common_sum_of_sizes(n_size, k->d));
+    return a;
 }
 
 /* The same, bit for bit, of a plane across an axis, n a power of two: f and d are the ray's along that axis. */
-COMMON_INLINE plane_crossing cross_level(double n, pov_two at_anchor, pov_two f, pov_two d)
+COMMON_INLINE plane_along along_level(double n, pov_two at_anchor, pov_two f, pov_two d)
 {
-    const pov_two value = pov_two_add(pov_two_sum(n * f.hi, n * f.lo), at_anchor), slope = pov_two_sum(n * d.hi, n * d.lo);
+    const plane_along a = { pov_two_add(pov_two_sum(n * f.hi, n * f.lo), at_anchor), pov_two_sum(n * d.hi, n * d.lo),
+                            fabs(n * f.hi) + fabs(at_anchor.hi), fabs(n * d.hi) };
 
-    return cross_at(value, slope, fabs(n * f.hi) + fabs(at_anchor.hi), fabs(n * d.hi));
+    return a;
+}
+
+COMMON_INLINE pov_two plane_root(pov_two value, pov_two slope) { return pov_two_neg(pov_two_div(value, slope)); }
+
+/* The bound of the root's error times the slope's size; and does it hold? */
+COMMON_INLINE double plane_error(const plane_along *a, double t)
+{
+    return 1.1 * (0x1p-98 * a->value_size + fabs(t) * (0x1p-98 * a->slope_size)) + 0x1p-100 * fabs(t * a->slope.hi);
+}
+
+COMMON_INLINE int plane_is_sound(const plane_along *a)
+{
+    const double size = fabs(a->slope.hi);
+
+    return (int)(size > 0x1p-94 * a->slope_size) & (int)(size > COMMON_TINY) & (int)(fabs(a->value.hi) > COMMON_TINY);
+}
+
+COMMON_INLINE common_root plane_cross(const plane_along *a)
+{
+    const pov_two t = plane_root(a->value, a->slope);
+    const common_root root = { t, plane_error(a, t.hi) / fabs(a->slope.hi), 0, 0 };
+
+    return root;
 }
 
 #endif

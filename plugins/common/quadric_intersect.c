@@ -184,14 +184,15 @@ static common_residual residual(const void *self, const common_ray *k, pov_two3 
 static bool fast_plane(const quadric *s, const common_ray *k, pov_hits *hits)
 {
     const pov_two3 n = { s->q[G], s->q[H], s->q[I] };
-    const plane_crossing c = cross_plane(n, s->q[J], k);
+    const plane_along a = along_plane(n, s->q[J], k);
+    const common_root root = plane_cross(&a);
     common_verdict verdict;
 
-    if (!c.is_sound)
+    if (!plane_is_sound(&a))
         return false;
-    verdict = common_judge(&c.root, k->unit, HUGE_VAL, hits);
+    verdict = common_judge(&root, k->unit, HUGE_VAL, hits);
     if (verdict == COMMON_GOOD)
-        pov_cross(hits, c.root.t.hi * k->unit, c.root.t.lo * k->unit, common_mark(c.slope < 0.0 ? ENTERING : EXITING, 0));
+        pov_cross(hits, root.t.hi * k->unit, root.t.lo * k->unit, common_mark(a.slope.hi < 0.0 ? ENTERING : EXITING, 0));
     return verdict != COMMON_OPEN;
 }
 
