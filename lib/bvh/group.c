@@ -166,10 +166,10 @@ static void copy_axes(const bvh_ray_lanes *rays, uint32_t n, const vec_lanes *fr
 
 bool bvh_copy_lanes(bvh_traversal *t, const bvh *tree, const bvh_ray_lanes *rays, uint32_t n)
 {
-    if (n < SHADOWS_LEAST || !has_nodes(tree))
+    if (n < (has_nodes(tree) ? SHADOWS_LEAST : LEAF_LEAST))
         return false;
     copy_axes(rays, n, rays->dir, t->soa.dir);
-    if (!is_one_sign(t->soa.dir[0], n) || !is_one_sign(t->soa.dir[1], n) || !is_one_sign(t->soa.dir[2], n))
+    if (has_nodes(tree) && !(is_one_sign(t->soa.dir[0], n) && is_one_sign(t->soa.dir[1], n) && is_one_sign(t->soa.dir[2], n)))
         return false;
     copy_axes(rays, n, rays->org, t->soa.org);
     copy_axes(rays, n, rays->org_lo, t->soa.org_lo);

@@ -26,7 +26,7 @@ typedef struct bvh_ray_lanes {
     const uint8_t *of;
 } bvh_ray_lanes;
 
-/* Copy n rays to light into the lanes of a traversal. False: they would not be one packet in the tree, and are not copied. */
+/* Copy n rays to light into the lanes of a traversal. False: they would not be one packet in the tree, and are not copied. NULL: no tree. */
 bool bvh_copy_lanes(bvh_traversal *t, const bvh *tree, const bvh_ray_lanes *rays, uint32_t n);
 /* As bvh_take() of the n that were copied, of which no records are made. */
 uint64_t bvh_take_copied(bvh_traversal *t, uint32_t n, double limit, double end);

@@ -42,7 +42,7 @@ static void make_rays(bvh_traversal *t) { packet_make_rays((packet *)(void *)t);
 
 bool packet_begin_lanes(packet *p, const world *w, query_context *k, const lane_rays *rays, uint32_t n, double tmax)
 {
-    if (!w->has_tree || !bvh_copy_lanes(&p->traversal, &w->tree, &rays->lanes, n))
+    if (!bvh_copy_lanes(&p->traversal, w->has_tree ? &w->tree : NULL, &rays->lanes, n))
         return false;
     begin(p, w, k, tmax);
     p->by_lane = rays;
