@@ -22,7 +22,7 @@ static int axis_of(const common_quadric *s)
 
 /* Pairs of a ray and one plane, in groups of eight lanes. Each step is taken for all groups before the next one: a lane's sums wait for each
  * other, and a processor that looks ahead finds other groups' sums only where steps are short. */
-enum { GROUPS = POV_RAYS_MAX / COMMON_LANES };
+enum { GROUPS = 4, TOGETHER = GROUPS * COMMON_LANES };
 
 /* The plane along each ray; unit: of its crossing. */
 typedef struct along_lanes { common_lane value, value_lo, slope, slope_lo, value_size, slope_size, unit; } along_lanes;
@@ -208,7 +208,7 @@ typedef struct sure_pairs {
     sure_lanes ends[GROUPS];
     common_contact_lanes contacts[GROUPS];
     uint32_t n, groups;
-    uint8_t which[POV_RAYS_MAX];
+    uint8_t which[TOGETHER];
 } sure_pairs;
 
 /* Those of the pairs that are of this plane. */
@@ -221,11 +221,11 @@ COMMON_CLONES static uint64_t find_same(const void *const *selves, const void *p
     return same;
 }
 
-static void take(const pov_ray *const *rays, uint64_t which, sure_pairs *out)
+/* Take some of those pairs. Returns what is left of them. */
+static uint64_t take(const pov_ray *const *rays, uint64_t pairs, sure_pairs *out)
 {
-    out->n = 0;
-    for (; which; which &= which - 1)
-        out->which[out->n++] = (uint8_t)common_first_lane64(which);
+    for (out->n = 0; pairs && out->n < TOGETHER; pairs &= pairs - 1)
+        out->which[out->n++] = (uint8_t)common_first_lane64(pairs);
     out->groups = (out->n + COMMON_LANES - 1) / COMMON_LANES;
     for (uint32_t i = 0; i < COMMON_LANES * out->groups; i += 4) {
         const pov_ray *some[4];
@@ -234,6 +234,7 @@ static void take(const pov_ray *const *rays, uint64_t which, sure_pairs *out)
             some[j] = rays[out->which[common_lane_of(i + j, out->n)]];
         common_put_four_rays(&out->rays[i / COMMON_LANES], i % COMMON_LANES, some);
     }
+    return pairs;
 }
 
 static void cross_sure(const common_quadric *plane, sure_pairs *p)
@@ -283,18 +284,20 @@ uint64_t common_plane_cross_sure(const void *const *selves, const pov_ray *const
 
     while (left) {
         const common_quadric *plane = selves[common_first_lane64(left)];
-        const uint64_t same = find_same(selves, plane, n);
+        uint64_t same = find_same(selves, plane, n);
         pov_vec3 normal;
 
-        take(rays, same, &p);
         left &= ~same;
-        cross_sure(plane, &p);
-        open |= report_sure(&p, at);
-        if (!contacts)
-            continue;
         common_quadric_normal(plane, NULL, NULL, &normal);
-        find_contacts(p.rays, p.ends, p.groups, normal, p.contacts);
-        report_contacts(&p, contacts);
+        while (same) {
+            same = take(rays, same, &p);
+            cross_sure(plane, &p);
+            open |= report_sure(&p, at);
+            if (!contacts)
+                continue;
+            find_contacts(p.rays, p.ends, p.groups, normal, p.contacts);
+            report_contacts(&p, contacts);
+        }
     }
     return open;
 }
