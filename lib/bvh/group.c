@@ -55,6 +55,12 @@ static uint64_t set_out(bvh_traversal *t, const pov_ray *const *rays, uint32_t n
     return derive_all(t, end);
 }
 
+/* Does one of four rays start on a surface? */
+static inline bool any_starts(const pov_ray *const rays[4])
+{
+    return (rays[0]->origin_surface & rays[1]->origin_surface & rays[2]->origin_surface & rays[3]->origin_surface) != POV_NO_OWNER;
+}
+
 uint64_t bvh_take(bvh_traversal *t, const pov_ray *taken[BVH_LANES], uint8_t of[BVH_LANES], const pov_ray *const *rays,
                   uint64_t which, double limit, double end)
 {
@@ -74,8 +80,11 @@ uint64_t bvh_take(bvh_traversal *t, const pov_ray *taken[BVH_LANES], uint8_t of[
     }
     for (i = n; i < width(n); i++)
         taken[i] = taken[n - 1];
-    for (i = 0; i < width(n); i += 4)
+    t->start = false;
+    for (i = 0; i < width(n); i += 4) {
         ray_soa_put_four(&t->soa, i, taken + i);
+        t->start |= any_starts(taken + i);
+    }
     return set_out(t, taken, n, limit, end);
 }
 
@@ -178,7 +187,11 @@ bool bvh_copy_lanes(bvh_traversal *t, const bvh *tree, const bvh_ray_lanes *rays
     return true;
 }
 
-uint64_t bvh_take_copied(bvh_traversal *t, uint32_t n, double limit, double end) { return set_out(t, NULL, n, limit, end); }
+uint64_t bvh_take_copied(bvh_traversal *t, uint32_t n, double limit, double end)
+{
+    t->start = true;
+    return set_out(t, NULL, n, limit, end);
+}
 
 /* ---- groups ---- */
 

@@ -35,6 +35,7 @@ typedef struct bvh_traversal {
     void (*make_rays)(struct bvh_traversal *traversal);
     uint32_t count;
     uint64_t lanes;              /* active lanes */
+    bool start;                  /* some rays may start on a surface */
     SIMD_ALIGNED pov_rays soa;   /* the rays as a structure of arrays; lanes from count to the next multiple of eight
                                   * hold the last ray */
     const bvh_frame *in;         /* the frame that they are in */

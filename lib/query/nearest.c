@@ -2,6 +2,10 @@
 #include "query/packet.h"
 #include "query/start.h"
 
+#include "base/lane_mask.h"
+
+#include <string.h>
+
 /* ---- leaves ---- */
 
 static pov_hits *hits_of(packet *p, uint32_t i)
@@ -33,17 +37,46 @@ static void ask_one(packet *p, uint32_t i, const leaf_batch *r, uint32_t lane)
 /* A deferred shape that is now excluded is dropped; any other is intersected before the next one is deferred. */
 static inline void defer(packet *p, const leaf_batch *r, uint32_t i, uint32_t lane, double lo, double hi, uint32_t note)
 {
-    deferred *d = &p->deferred[i];
+    deferred *d = &p->deferred;
 
     if (hi < p->traversal.limit[i])
         lower(p, i, hi);
-    if ((p->deferred_lanes & bit_of(i)) && !is_beyond(p, i, d->lo))
-        ask_one(p, i, d->batch, d->lane);
-    d->batch = r;
-    d->lane = lane;
-    d->lo = lo;
-    d->note = note;
+    if ((p->deferred_lanes & bit_of(i)) && !is_beyond(p, i, d->lo[i]))
+        ask_one(p, i, d->batch[i], d->lane[i]);
+    d->batch[i] = r;
+    d->lane[i] = lane;
+    d->lo[i] = lo;
+    d->note[i] = note;
     p->deferred_lanes |= bit_of(i);
+}
+
+/* As lower(), of some of n lanes and only where that is nearer. */
+SIMD_CLONES static void lower_lanes(double *restrict limit, double *restrict tmax, const double *restrict to, uint64_t lanes, uint32_t n)
+{
+    for (uint32_t i = 0; i < n; i++) {
+        const bool nearer = (lanes >> i & 1) != 0 && to[i] < limit[i];
+        const double now = nearer ? to[i] : limit[i];
+
+        limit[i] = now;
+        tmax[i] = nearer ? just_beyond(now) : tmax[i];
+    }
+}
+
+/* Defer a shape of some lanes, where nothing is deferred yet. What is noted of other lanes means nothing. */
+static void defer_first(packet *p, const leaf_batch *r, uint32_t lane, const shape_bounds *b, uint64_t lanes)
+{
+    const uint32_t n = p->traversal.count;
+    deferred *d = &p->deferred;
+
+    p->traversal.lowered |= lanes & lane_mask_below(b->hi, p->traversal.limit, n);
+    lower_lanes(p->traversal.limit, p->traversal.soa.tmax, b->hi, lanes, n);
+    memcpy(d->lo, b->lo, n * sizeof *d->lo);
+    for (uint32_t i = 0; i < n; i++)
+        d->batch[i] = r;
+    for (uint32_t i = 0; i < n; i++)
+        d->lane[i] = lane;
+    memset(d->note, 0, n * sizeof *d->note);
+    p->deferred_lanes = lanes;
 }
 
 /* Possible hits of one shape, so that no ray occurs twice. */
@@ -106,26 +139,37 @@ SIMD_INLINE void take(packet *p, const leaf_batch *r, uint32_t n)
         ask_open(p, r, &open, &instanced, open_lanes);
 }
 
+/* Some of the lanes: those whose rays start on an object. */
+static uint64_t starting_on(const packet *p, uint32_t object, uint64_t lanes)
+{
+    uint64_t out = 0;
+
+    for (; p->traversal.start && lanes; lanes &= lanes - 1) {
+        const uint32_t i = first_of64(lanes);
+
+        out |= (uint64_t)(p->rays[i]->origin_surface == object) << i;
+    }
+    return out;
+}
+
 /* Shapes that are bounded by lane: what is definite needs no candidates. */
 static void filter_bounds(packet *p, const leaf_batch *r, uint64_t lanes)
 {
     shape_bounds b;
 
     for (uint32_t which = 0; which < r->count; which++) {
-        const uint64_t sure = r->plain >> which & 1 ? ~(uint64_t)0 : 0;
-        uint64_t open = 0;
+        uint64_t sure, open;
 
         packet_bounds(p, r, which, lanes, &b);
-        for (; b.maybe; b.maybe &= b.maybe - 1) {
-            const uint32_t i = first_of64(b.maybe);
-
-            if (p->rays[i]->origin_surface == r->object[which])
-                continue;
-            if (b.definite & sure & bit_of(i))
-                defer(p, r, i, which, b.lo[i], b.hi[i], 0);
-            else
-                open |= bit_of(i);
+        b.maybe &= ~starting_on(p, r->object[which], b.maybe);
+        sure = r->plain >> which & 1 ? b.maybe & b.definite : 0;
+        open = b.maybe & ~sure;
+        if (!p->deferred_lanes && sure) {
+            defer_first(p, r, which, &b, sure);
+            sure = 0;
         }
+        for (; sure; sure &= sure - 1)
+            defer(p, r, first_of64(sure), which, b.lo[first_of64(sure)], b.hi[first_of64(sure)], 0);
         if (open)
             take(p, r, packet_put_bounds(p, &b, which, open, 0));
     }
@@ -217,21 +261,21 @@ static uint64_t take_class(packet *p, const shape_class *shape, uint64_t left, p
     out->count = 0;
     for (rest = left; rest; rest &= rest - 1) {
         const uint32_t i = first_of64(rest);
-        const deferred *d = &p->deferred[i];
-        const pov_ray *ray = d->batch->flags & LEAF_INSTANCED ? &p->context->own.rays[p->of[i]] : p->rays[i];
+        const leaf_batch *r = p->deferred.batch[i];
+        const pov_ray *ray = r->flags & LEAF_INSTANCED ? &p->context->own.rays[p->of[i]] : p->rays[i];
         pov_hits *hits;
 
-        if (d->batch->shape != shape) {
+        if (r->shape != shape) {
             others |= bit_of(i);
             continue;
         }
         hits = hits_of(p, i);
-        hits->owner = d->batch->object[d->lane];
+        hits->owner = r->object[p->deferred.lane[i]];
         /* The shape need not look beyond where something is known to be hit. */
         if (p->traversal.soa.tmax[i] < hits->tmax)
             hits->tmax = p->traversal.soa.tmax[i];
-        p->context->hit_buffers[p->of[i]].csg.note = d->note;
-        pairs_put(out, leaf_batch_instance(d->batch, d->lane), ray, hits);
+        p->context->hit_buffers[p->of[i]].csg.note = p->deferred.note[i];
+        pairs_put(out, leaf_batch_instance(r, p->deferred.lane[i]), ray, hits);
     }
     return others;
 }
@@ -246,11 +290,11 @@ static uint64_t take_sure(packet *p, const shape_class *shape, uint64_t left, su
     some->count = 0;
     for (rest = left; rest; rest &= rest - 1) {
         const uint32_t i = first_of64(rest);
-        const deferred *d = &p->deferred[i];
-        const leaf_batch *r = d->batch;
+        const uint32_t lane = p->deferred.lane[i];
+        const leaf_batch *r = p->deferred.batch[i];
 
         if (is_sure(r, shape))
-            sure_pairs_put(some, p->world, leaf_batch_instance(r, d->lane), r->object[d->lane], p->rays[i], i, &p->out[p->of[i]]);
+            sure_pairs_put(some, p->world, leaf_batch_instance(r, lane), r->object[lane], p->rays[i], i, &p->out[p->of[i]]);
         else
             others |= bit_of(i);
     }
@@ -264,7 +308,7 @@ static void resolve_sure(packet *p)
     sure_pairs some;
 
     while (left) {
-        const leaf_batch *r = p->deferred[first_of64(left)].batch;
+        const leaf_batch *r = p->deferred.batch[first_of64(left)];
         uint64_t others;
 
         if (!r->shape->cross_sure || (r->flags & LEAF_INSTANCED)) {
@@ -288,9 +332,9 @@ static void resolve_deferred(packet *p)
     instanced.count = 0;
     for (rest = p->deferred_lanes & ~p->crossed; rest; rest &= rest - 1) {
         const uint32_t i = first_of64(rest);
-        const leaf_batch *r = p->deferred[i].batch;
+        const leaf_batch *r = p->deferred.batch[i];
 
-        if (is_beyond(p, i, p->deferred[i].lo))
+        if (is_beyond(p, i, p->deferred.lo[i]))
             continue;
         left |= bit_of(i);
         if (r->flags & LEAF_INSTANCED)
@@ -298,7 +342,7 @@ static void resolve_deferred(packet *p)
     }
     xform_batch_apply(&instanced);
     while (left) {
-        const leaf_batch *r = p->deferred[first_of64(left)].batch;
+        const leaf_batch *r = p->deferred.batch[first_of64(left)];
 
         left = take_class(p, r->shape, left, &some);
         pairs_ask(p->context, r->shape, leaf_batch_class(r), &some, true);
@@ -331,15 +375,18 @@ static void begin_from_exit_hits(packet *p, const exit_hits *e)
     }
 }
 
-/* Can a hit at t or farther of any lane be one that start_may_be_here()? True wherever it is, with what is known of the
- * lanes: a length is at most twice the largest component, and a size is not below that of the origin's. */
-SIMD_CLONES static bool may_be_at_start(const bvh_traversal *restrict traversal, double t, double extent)
+/* Can a hit of some lanes be one that start_may_be_here()? A length is at most twice the largest component, and a size is not below that
+ * of the origin's. t: no farther than the hits. */
+SIMD_CLONES static bool may_be_at_start(const bvh_traversal *restrict traversal, const double *restrict t, uint64_t lanes, double extent)
 {
     const uint32_t n = traversal->count;
     int64_t any = 0;
 
-    for (uint32_t i = 0; i < n; i++)
-        any |= t * traversal->length[i] < 0x1p-29 * (extent + traversal->soa.size[i]) ? -1 : 0;
+    for (uint32_t i = 0; i < n; i++) {
+        const double at = lanes >> i & 1 ? t[i] : HUGE_VAL;   /* of others anything may be there, denormals too */
+
+        any |= at * traversal->length[i] < 0x1p-29 * (extent + traversal->soa.size[i]) ? -1 : 0;
+    }
     return any != 0;
 }
 
@@ -377,18 +424,24 @@ static uint64_t at_exits(const packet *p, const exit_hits *e)
     return out;
 }
 
+/* Lanes as bits of the caller's. */
+static uint64_t callers_of(const packet *p, uint64_t lanes)
+{
+    uint64_t out = 0;
+
+    if (p->of[p->traversal.count - 1] == p->traversal.count - 1)   /* in order, so that all are where they were */
+        return lanes;
+    for (; lanes; lanes &= lanes - 1)
+        out |= bit_of(p->of[first_of64(lanes)]);
+    return out;
+}
+
 /* Rays with a hit, as bits of the caller's. */
 static uint64_t end_nearest(packet *p, const exit_hits *e)
 {
-    uint64_t found = 0, rest, escalated = 0;
-    double least = HUGE_VAL;
+    uint64_t found = callers_of(p, p->crossed), rest, escalated = 0;
+    uint64_t with_hit = p->crossed;
 
-    for (rest = p->crossed; rest; rest &= rest - 1) {
-        const uint32_t i = first_of64(rest);
-
-        found |= bit_of(p->of[i]);
-        least = p->deferred[i].lo < least ? p->deferred[i].lo : least;
-    }
     p->context->own.complete |= (p->world->plan.lighting ? found : 0) | at_exits(p, e);
     for (rest = p->asked; rest; rest &= rest - 1) {
         const uint32_t i = first_of64(rest);
@@ -404,10 +457,11 @@ static uint64_t end_nearest(packet *p, const exit_hits *e)
         SIMD_PREFETCH(&p->world->objects_info[out->object]);
         if (hits->tied)
             coincidence_resolve(p->world, p->context, p->rays[i], NULL, out);
-        least = out->crossing.t < least ? out->crossing.t : least;
+        p->deferred.lo[i] = out->crossing.t;
+        with_hit |= bit_of(i);
     }
     p->context->escalated += escalated;
-    if (found && (p->exact || may_be_at_start(&p->traversal, least, p->world->extent)))
+    if (found && (p->exact || may_be_at_start(&p->traversal, p->deferred.lo, with_hit, p->world->extent)))
         found = leave_starts(p, found);
     return found;
 }

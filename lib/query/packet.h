@@ -7,8 +7,12 @@
 #include "bvh/ray_soa.h"
 #include "query/context.h"
 
-/* A deferred shape: a definite hit of a lane, at lo or later; the nearest of all hits is determined later. */
-typedef struct deferred { const leaf_batch *batch; uint32_t lane, note; double lo; } deferred;   /* note: the candidate's */
+/* Deferred shapes by lane: each is a definite hit, at lo or later; the nearest of all hits is determined later. */
+typedef struct deferred {
+    SIMD_ALIGNED double lo[WORLD_MANY];
+    const leaf_batch *batch[WORLD_MANY];
+    uint32_t lane[WORLD_MANY], note[WORLD_MANY];   /* note: the candidate's */
+} deferred;
 
 /* Most rays never need hits of their own, so these are initialised on demand. */
 typedef struct packet {
@@ -31,7 +35,7 @@ typedef struct packet {
     bool any_blocks;             /* in occlusion queries: shapes block, transparent or not */
     bool whole;                  /* in occlusion queries: objects that cast no shadow block, too, but for `end` */
     uint32_t end;                /* then: an object that no ray crosses, or POV_NO_OWNER */
-    deferred deferred[WORLD_MANY];
+    deferred deferred;
     pov_hits hits[WORLD_MANY], filter_hits[WORLD_MANY];   /* filter_hits: transparent shapes on a light path */
     pov_candidate candidates[POV_CANDIDATES_MAX];
 } packet;
