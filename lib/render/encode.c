@@ -26,6 +26,7 @@ static void fill_tables(encoder *e)
     for (int i = 0; i < 255; i++) {
         e->above[i] = (float)encoded_inverse(e, (i + 0.5) / 255.0);
     }
+    e->above[255] = HUGE_VALF;
     for (int i = 0; i < ENCODER_CELLS; code++) {   /* cells below the next threshold; the product is exact */
         const int end = code < 255 ? (int)ceilf(pov_minf(e->above[code], 1.0f) * ENCODER_CELLS) : ENCODER_CELLS;
 
@@ -44,19 +45,17 @@ void encoder_init(encoder *e, int bits, pov_transfer transfer, double gamma)
         fill_tables(e);
 }
 
-/* Number of the 255 thresholds that the value reaches. A cell of the table holds one or two of them. */
+/* Number of the 255 thresholds that the value reaches. Most cells of the table hold one at most, which nobody can guess: it is counted without a
+ * branch. */
 static unsigned char stored_8(const encoder *e, float v)
 {
-    int code;
+    const float within = v > 0.0f ? (v < 1.0f ? v : 0x1.fffffep-1f) : 0.0f;
+    unsigned code = e->least[(int)(within * ENCODER_CELLS)];
 
-    if (!(v > 0.0f))
-        return 0;
-    if (v >= 1.0f)
-        return 255;
-    code = e->least[(int)(v * ENCODER_CELLS)];
-    while (code < 255 && v >= e->above[code])
+    code += within >= e->above[code];
+    while (within >= e->above[code])
         code++;
-    return (unsigned char)code;
+    return (unsigned char)(v >= 1.0f ? 255 : code);
 }
 
 static uint16_t stored_16(const encoder *e, float v)

@@ -12,7 +12,7 @@ typedef struct encoder {
     int bits;
     pov_transfer transfer;
     double gamma;                /* above 0: the curve is value ^ (1 / gamma), whatever the transfer */
-    float above[255];
+    float above[256];            /* the last is beyond all values */
     unsigned char least[ENCODER_CELLS];
 } encoder;
 
