@@ -215,7 +215,7 @@ SIMD_CLONES static void find_halves(parts *restrict p, const light_sample *restr
     for (uint32_t i = 0; i < n; i++) {
         const pov_vec3 half = pov_sub(lanes_at(&s->unit, i), lanes_at(&g->view, i));
         const double square = pov_dot(half, half), cosine = s->cosine[i] + g->cosine[i];
-        const double half_cos = square > 0.0 ? fabs(cosine) / sqrt(square) : 0.0;
+        const double half_cos = square > 0.0 && cosine > 0.0 ? cosine / sqrt(square) : 0.0;
 
         p->half_cos[i] = p->base[i] = half_cos < 1.0 ? half_cos : 1.0;
     }
@@ -229,7 +229,7 @@ SIMD_CLONES static uint32_t specular_plain(parts *restrict p, const finishes *re
     uint32_t odd = 0;
 
     for (uint32_t i = 0; i < n; i++) {
-        const bool shines = is_lit_side(&f->rich, i, s->cosine[i]) & (f->rich.specular[i] != 0.0f);
+        const bool shines = is_lit_side(&f->rich, i, s->cosine[i]) & (p->half_cos[i] > 0.0) & (f->rich.specular[i] != 0.0f);
 
         p->odd[i] = shines & (f->rich.whole[i] == 0);
         odd |= p->odd[i];
@@ -346,10 +346,11 @@ SIMD_CLONES static void films(light_sample *restrict s, const rich_finishes *res
     }
 }
 
-SIMD_CLONES static void find_contributions(light_sample *restrict s, const float *restrict back, uint32_t n)
+/* both: of sides, what light from behind makes highlights on. */
+SIMD_CLONES static void find_contributions(light_sample *restrict s, const float *restrict back, const float *restrict both, uint32_t n)
 {
     for (uint32_t i = 0; i < n; i++) {
-        s->front[i] = (s->cosine[i] > 0.0) | ((back[i] != 0.0f) & (s->cosine[i] < 0.0));
+        s->front[i] = (s->cosine[i] > 0.0) | (((back[i] != 0.0f) | (both[i] != 0.0f)) & (s->cosine[i] < 0.0));
         s->contributes[i] = s->front[i] & !colour_is_black(brdf_at(s, i));
     }
 }
@@ -379,5 +380,5 @@ void brdf_reflect_rich(const finishes *f, const model *m, light_sample *s, const
         sum_matt(s, &p, f, in, n);
     if (f->kinds & FINISH_IRID)
         brdf_films(f, m, s, n);
-    find_contributions(s, back, n);
+    find_contributions(s, back, f->kinds ? f->rich.both_sides : no_back, n);
 }

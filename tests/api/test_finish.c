@@ -113,6 +113,20 @@ static void light_from_behind_counts_where_the_finish_says_so(void **state)
     CHECK(samples);
 }
 
+/* A light behind shows where the direction half way to it leans out of the surface, whatever the diffuse light is. */
+static void highlights_are_on_the_side_of_the_normal(void **state)
+{
+    static const sample samples[] = {
+        { "<5,1,1> rgb 1", BARE "specular .8 roughness .5 } double_illuminate no_shadow", 0.23812, 0.23812, 0.23812 },
+        { "<0,1,60> rgb 1", GOLD "finish { ambient 0 diffuse .5 specular .8 roughness 5 } double_illuminate no_shadow", 0.44990, 0.29993, 0.14997 },
+        { "<20,0,-4> rgb 1", "no_image no_shadow } disc { 0, <.94,0,-.34>, 1 pigment { rgb 1 } normal { function { z } -20 translate .3*z } "
+          "finish { ambient 0 diffuse .1 specular .8 roughness 5 }", 0.01813, 0.01813, 0.01813 },
+    };
+    (void)state;
+
+    CHECK(samples);
+}
+
 static void highlights_are_those_of_phong_and_of_blinn(void **state)
 {
     static const sample samples[] = {
@@ -302,6 +316,7 @@ int main(void)
         cmocka_unit_test(light_without_shadows_is_projected_all_the_same),
         cmocka_unit_test(light_without_shadows_from_behind_counts_where_the_finish_says_so),
         cmocka_unit_test(light_from_behind_counts_where_the_finish_says_so),
+        cmocka_unit_test(highlights_are_on_the_side_of_the_normal),
         cmocka_unit_test(highlights_are_those_of_phong_and_of_blinn),
         cmocka_unit_test(reflection_depends_on_the_angle_and_the_pigment),
         cmocka_unit_test(what_is_reflected_is_not_transmitted_with_conserve_energy),
