@@ -1,5 +1,6 @@
 #include "texture/inner.h"
 
+#include "texture/image_sample.h"
 #include "texture/points.h"
 
 #include <math.h>
@@ -56,6 +57,18 @@ const pattern_class pattern_object = {
 
 /* ---- pigment_pattern ---- */
 
+/* What is clear beyond an image that does not repeat has no brightness. */
+static void find_edges(const pattern_input *in, const pattern *of, const texture_points *points, double *value)
+{
+    image_place places[LANES_MAX];
+    vec_lanes at;
+
+    points_place(in->model, of, points, in->n, &at, NULL);
+    image_places(of->self, &at, in->n, places);
+    for (uint32_t i = 0; i < in->n; i++)
+        value[i] = places[i].is_outside ? 0.0 : value[i];
+}
+
 static void evaluate_pigment(const pattern_input *in, double *value)
 {
     const pigment_pattern *self = in->of->self;
@@ -69,6 +82,8 @@ static void evaluate_pigment(const pattern_input *in, double *value)
 
         value[i] = 0.297 * (double)c.r + 0.589 * (double)c.g + 0.114 * (double)c.b;
     }
+    if (self->pigment->pattern && self->pigment->pattern->class == &pattern_image_map)
+        find_edges(in, self->pigment->pattern, &points, value);
 }
 
 static const pigment_node *pigment_of(const void *self) { return ((const pigment_pattern *)self)->pigment; }

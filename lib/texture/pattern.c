@@ -10,7 +10,7 @@ const pattern_class pattern_average = { .keyword = "average" };
 extern const pattern_class pattern_agate, pattern_aoi, pattern_boxed, pattern_bozo, pattern_brick,
     pattern_bump_map, pattern_bumps, pattern_cells, pattern_checker, pattern_crackle, pattern_cubic,
     pattern_cylindrical, pattern_dents, pattern_facets, pattern_gradient, pattern_granite, pattern_hexagon,
-    pattern_image_map, pattern_image_pattern, pattern_julia, pattern_leopard, pattern_magnet, pattern_mandel,
+    pattern_image_pattern, pattern_julia, pattern_leopard, pattern_magnet, pattern_mandel,
     pattern_marble, pattern_onion, pattern_pavement, pattern_planar, pattern_quilted, pattern_radial,
     pattern_ripples, pattern_slope, pattern_spherical, pattern_spiral1, pattern_spiral2, pattern_spotted,
     pattern_square, pattern_tiling, pattern_triangular, pattern_waves, pattern_wood, pattern_wrinkles;

@@ -93,8 +93,8 @@ const pattern_class *pattern_find(const char *keyword);
 const pattern_class *pattern_at(size_t index);
 /* Of blends without a pattern: it has a space only, and neither evaluate() nor colours(). */
 extern const pattern_class pattern_average;
-/* Of textures alone; and of volumes, which have no block. */
-extern const pattern_class pattern_material_map, pattern_density_file;
+/* Of images; of textures alone; and of volumes, which have no block. */
+extern const pattern_class pattern_image_map, pattern_material_map, pattern_density_file;
 bool pattern_needs_noise(const pattern *p);
 
 #endif

@@ -294,6 +294,19 @@ static void values_of_images_do_not_depend_on_the_assumed_gamma(void **state)
     }
 }
 
+/* As a colour it is clear there, and white. */
+static void the_brightness_beyond_an_image_is_none(void **state)
+{
+    bench b;
+
+    (void)state;
+    assert_int_equal(read_scene_of(&b, "1", "pigment { pigment_pattern { image_map { png \"images/rings.png\" once } } color_map { [0 rgb .25] [1 rgb 1] } }"),
+                     POV_OK);
+    assert_true(colour_at(&b, 0.01, 0.01).color.r > 0.25f);
+    assert_float_equal(colour_at(&b, 1.01, 0.01).color.r, 0.25, 0.0);
+    end(&b);
+}
+
 /* The lower left pixel is (19, 0, 239) in the PNG: red is the high byte, and green the low one, as the gamma says. */
 static void heights_are_decoded_by_the_gamma_that_is_given(void **state)
 {
@@ -455,6 +468,7 @@ int main(void)
         cmocka_unit_test(a_pigment_makes_an_image_of_its_colours),
         cmocka_unit_test(each_pixel_of_a_wide_row_is_the_pigment_there),
         cmocka_unit_test(values_of_images_do_not_depend_on_the_assumed_gamma),
+        cmocka_unit_test(the_brightness_beyond_an_image_is_none),
         cmocka_unit_test(heights_are_decoded_by_the_gamma_that_is_given),
         cmocka_unit_test(numbers_of_textures_are_decoded_too),
         cmocka_unit_test(numbers_of_textures_are_interpolated_before_they_are_cut_down),
