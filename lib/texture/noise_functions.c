@@ -203,11 +203,12 @@ static void find_some(const model *scene, const double *v, uint32_t parameters, 
 
 static uint32_t parameters_of(uint32_t number) { return number == 76 ? 0 : number == 78 ? 1 : PARAMETERS_MAX; }
 
-void noise_function_values(const void *scene, const double *v, uint32_t number, uint32_t n, double *out)
+void noise_function_values(const void *scene, const double *v, uint32_t number, uint32_t n, void *memo, double *out)
 {
     const uint32_t parameters = parameters_of(number);
     double one[LANES];
 
+    (void)memo;
     if (are_same(v + AXES * LANES, parameters, n)) {
         find_some(scene, v, parameters, number, 0, n, out);
         return;

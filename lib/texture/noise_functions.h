@@ -13,7 +13,7 @@ enum { NOISE_FUNCTION_LANES = 16 };
 
 /* The value at x, y, z and the parameters behind them; `scene` is the model. */
 double noise_function_value(const void *scene, const double *v, uint32_t number);
-/* The same of the first n lanes, with the same bits. `out` has room for all lanes. */
-void noise_function_values(const void *scene, const double *v, uint32_t number, uint32_t n, double *out);
+/* The same of the first n lanes, with the same bits. `out` has room for all lanes; `memo` is for others (program.h). */
+void noise_function_values(const void *scene, const double *v, uint32_t number, uint32_t n, void *memo, double *out);
 
 #endif
