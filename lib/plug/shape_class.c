@@ -44,6 +44,7 @@ static void fill_fast(shape_class *out, const pov_shape_fast *from)
     out->cross_sure = f.cross_sure;
     out->ring = f.ring;
     out->block_bounds = f.block_bounds;
+    out->shading_normals_many = f.shading_normals_many;
 }
 
 void shape_class_fill(shape_class *out, const pov_shape_class *from)

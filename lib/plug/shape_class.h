@@ -51,6 +51,8 @@ typedef struct shape_class {
     uint64_t (*cross_sure)(const void *const *selves, const pov_ray *const *rays, pov_crossing *const *at, pov_contact *const *contacts, uint32_t n);
     bool (*ring)(const void *self, double radii[2]);
     void (*block_bounds)(const void *block, uint32_t lane, const pov_rays *rays, uint64_t lanes, double *lo, double *hi);
+    void (*shading_normals_many)(const void *const *selves, const pov_vec3 *points, const pov_vec3 *points_lo, const pov_mark *const *marks,
+                                 uint32_t n, pov_vec3 *out, uint32_t *count);
 } shape_class;
 
 /* Complete a class that shape_class_check() has accepted. */

@@ -93,22 +93,47 @@ static void bring_to_instances(blends *b)
     instance_points(xforms, points, points_lo, n);
 }
 
+/* Of those from i on that share a class which finds several at once. Returns how many these are; what they blend stands in a row. */
+static uint32_t find_several(const blends *b, uint32_t i, hit *const *hits, blended *out)
+{
+    const void *selves[WORLD_MANY];
+    const pov_mark *marks[WORLD_MANY];
+    pov_vec3 normal[WORLD_MANY];
+    uint32_t count[WORLD_MANY], n = 0, at = out->first[i];
+
+    do {
+        selves[n] = b->ref[i + n].instance;
+        marks[n] = &hits[b->of[i + n]]->crossing.mark;
+        n++;
+    } while (i + n < b->count && b->shape[i + n] == b->shape[i]);
+    b->shape[i]->shading_normals_many(selves, b->point + i, b->point_lo + i, marks, n, normal, count);
+    for (uint32_t k = 0; k < n; k++) {
+        out->normal[at] = normal[k];
+        out->share[at] = 1.0;
+        out->first[i + k + 1] = at += count[k];
+    }
+    return n;
+}
+
+static uint32_t find_one(const blends *b, uint32_t i, hit *const *hits, blended *out)
+{
+    const uint32_t at = out->first[i];
+
+    out->first[i + 1] = at + b->shape[i]->shading_normals(b->ref[i].instance, b->point[i], b->point_lo[i], &hits[b->of[i]]->crossing.mark,
+                                                          &out->normal[at], &out->share[at]);
+    return 1;
+}
+
 static void find_blended(const blends *b, hit *const *hits, blended *out)
 {
-    uint32_t n = 0;
-
-    out->instanced = 0;
-    for (uint32_t i = 0; i < b->count; i++) {
-        const uint32_t first = out->first[i] = n;
-
-        n += b->shape[i]->shading_normals(b->ref[i].instance, b->point[i], b->point_lo[i], &hits[b->of[i]]->crossing.mark, &out->normal[n],
-                                          &out->share[n]);
-        for (uint32_t k = first; b->ref[i].xform && k < n; k++) {
+    out->instanced = out->first[0] = 0;
+    for (uint32_t i = 0; i < b->count;)
+        i += (b->shape[i]->shading_normals_many ? find_several : find_one)(b, i, hits, out);
+    for (uint32_t i = 0; i < b->count; i++)
+        for (uint32_t k = out->first[i]; b->ref[i].xform && k < out->first[i + 1]; k++) {
             out->xform[out->instanced] = b->ref[i].xform;
             out->turned[out->instanced++] = &out->normal[k];
         }
-    }
-    out->first[b->count] = n;
     instance_world_normals(out->xform, out->turned, out->instanced);
 }
 

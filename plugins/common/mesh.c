@@ -145,6 +145,57 @@ uint32_t common_mesh_shading_normals(const void *self, pov_vec3 point, pov_vec3 
                                  normal);
 }
 
+/* Those of faces that are smooth, side by side. */
+typedef struct smooth_some { common_triangle_point at[COMMON_TRIANGLES]; uint32_t of[COMMON_TRIANGLES], count; } smooth_some;
+
+static void blend_some(smooth_some *some, pov_vec3 *out, uint32_t *count)
+{
+    pov_vec3 normal[COMMON_TRIANGLES];
+    const uint32_t found = some->count > 0 ? common_triangle_blend_many(some->at, some->count, normal) : 0;
+
+    for (uint32_t i = 0; i < some->count; i++) {
+        out[some->of[i]] = normal[i];
+        count[some->of[i]] = found >> i & 1;
+    }
+    some->count = 0;
+}
+
+static void put_smooth(smooth_some *some, const common_mesh *m, uint32_t face, const uint32_t *normals, pov_vec3 point, pov_vec3 point_lo,
+                       uint32_t of)
+{
+    common_triangle_point *p = &some->at[some->count];
+
+    for (int k = 0; k < 3; k++) {
+        p->corner[k] = corner_of(m, face, k);
+        p->normal[k] = &m->normals[normals[k]];
+    }
+    p->point = pov_scale(point, m->scale);
+    p->point_lo = pov_scale(point_lo, m->scale);
+    some->of[some->count++] = of;
+}
+
+void common_mesh_shading_normals_many(const void *const *selves, const pov_vec3 *points, const pov_vec3 *points_lo, const pov_mark *const *marks,
+                                      uint32_t n, pov_vec3 *out, uint32_t *count)
+{
+    smooth_some some;
+
+    some.count = 0;
+    for (uint32_t i = 0; i < n; i++) {
+        const common_mesh *m = selves[i];
+        const uint32_t face = face_of(m, marks[i]), *at = smooth_face(m, face);
+        double share;
+
+        if (!at) {
+            count[i] = common_mesh_shading_normals(m, points[i], points_lo[i], marks[i], &out[i], &share);
+            continue;
+        }
+        put_smooth(&some, m, face, at, points[i], points_lo[i], i);
+        if (some.count == COMMON_TRIANGLES)
+            blend_some(&some, out, count);
+    }
+    blend_some(&some, out, count);
+}
+
 void common_mesh_uv(const void *self, pov_vec3 point, const pov_mark *mark, double out[2])
 {
     const pov_vec3 zero = { 0.0, 0.0, 0.0 };

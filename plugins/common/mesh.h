@@ -70,6 +70,8 @@ bool common_mesh_open(const void *self);
 void common_mesh_uv(const void *self, pov_vec3 point, const pov_mark *mark, double out[2]);
 uint32_t common_mesh_shading_normals(const void *self, pov_vec3 point, pov_vec3 point_lo, const pov_mark *mark,
                                      pov_vec3 *normal, double *share);
+void common_mesh_shading_normals_many(const void *const *selves, const pov_vec3 *points, const pov_vec3 *points_lo, const pov_mark *const *marks,
+                                      uint32_t n, pov_vec3 *out, uint32_t *count);
 uint32_t common_mesh_textures(const void *self, pov_vec3 point, pov_vec3 point_lo, const pov_mark *mark,
                               uint32_t *which, double *share);
 bool common_mesh_face(const void *self, uint32_t number, pov_face *out);

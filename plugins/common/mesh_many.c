@@ -262,6 +262,7 @@ static const pov_shape_fast mesh_fast = {
     .intersect_between = common_mesh_intersect,
     .intersect_between_many = common_mesh_intersect_many,
     .normal_many = common_mesh_normal_many,
+    .shading_normals_many = common_mesh_shading_normals_many,
 };
 
 const void *common_mesh_extension(const char *name) { return common_is_fast(name) ? &mesh_fast : NULL; }

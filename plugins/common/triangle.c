@@ -282,3 +282,82 @@ void common_triangle_shares(const pov_vec3 *a, const pov_vec3 *b, const pov_vec3
     share[2] = pov_dot(pov_cross_product(e, p), n) / square;
     share[0] = 1.0 - share[1] - share[2];
 }
+
+/* ---- normals that are blended ---- */
+
+bool common_triangle_blend(const pov_vec3 normal[3], const double share[3], pov_vec3 *out)
+{
+    const pov_vec3 sum = pov_add(pov_add(pov_scale(normal[0], share[0]), pov_scale(normal[1], share[1])),
+                                 pov_scale(normal[2], share[2]));
+
+    *out = pov_unit(sum);
+    return pov_largest(*out) > 0.0;
+}
+
+/* Points by lane; certain: where pov_unit() needs no scaling. */
+typedef struct blend_lanes { face_lanes faces, normals; common_lane3 point, point_lo, out; common_lane certain; } blend_lanes;
+
+COMMON_CLONES static void find_blends(blend_lanes *restrict l)
+{
+    for (uint32_t i = 0; i < COMMON_LANES; i++) {
+        const pov_vec3 a = lane_corner(&l->faces, 0, i), b = lane_corner(&l->faces, 1, i), c = lane_corner(&l->faces, 2, i);
+        const pov_vec3 zero = { 0.0, 0.0, 0.0 };
+        const pov_vec3 p = pov_two3_hi(common_offset(common_get(&l->point, i), common_get(&l->point_lo, i), pov_two3_of(a, zero), 1.0));
+        const pov_vec3 e = pov_sub(b, a), f = pov_sub(c, a), n = pov_cross_product(e, f);
+        const double square = pov_dot(n, n);
+        const double one = pov_dot(pov_cross_product(p, f), n) / square, two = pov_dot(pov_cross_product(e, p), n) / square;
+        const pov_vec3 sum = pov_add(pov_add(pov_scale(lane_corner(&l->normals, 0, i), 1.0 - one - two),
+                                             pov_scale(lane_corner(&l->normals, 1, i), one)),
+                                     pov_scale(lane_corner(&l->normals, 2, i), two));
+        const double size = pov_largest(sum), length = sqrt(pov_dot(sum, sum));
+
+        l->out.x[i] = sum.x / length;
+        l->out.y[i] = sum.y / length;
+        l->out.z[i] = sum.z / length;
+        l->certain[i] = size >= 1e-120 && size <= 1e120 ? 1.0 : 0.0;
+    }
+}
+
+static void put_points(blend_lanes *l, const common_triangle_point *at, uint32_t n)
+{
+    for (uint32_t i = 0; i < COMMON_LANES; i += 4) {
+        const common_triangle_point *a = &at[common_lane_of(i, n)], *b = &at[common_lane_of(i + 1, n)];
+        const common_triangle_point *c = &at[common_lane_of(i + 2, n)], *d = &at[common_lane_of(i + 3, n)];
+
+        for (int k = 0; k < 3; k++) {
+            put_corners(&l->faces, i, k, a->corner[k], b->corner[k], c->corner[k], d->corner[k]);
+            put_corners(&l->normals, i, k, a->normal[k], b->normal[k], c->normal[k], d->normal[k]);
+        }
+    }
+    for (uint32_t i = 0; i < COMMON_LANES; i++) {
+        common_put(&l->point, i, at[common_lane_of(i, n)].point);
+        common_put(&l->point_lo, i, at[common_lane_of(i, n)].point_lo);
+    }
+}
+
+static bool blend_one(const common_triangle_point *at, pov_vec3 *out)
+{
+    double share[3];
+
+    common_triangle_shares(at->corner[0], at->corner[1], at->corner[2], at->point, at->point_lo, share);
+    return common_triangle_blend((const pov_vec3[3]){ *at->normal[0], *at->normal[1], *at->normal[2] }, share, out);
+}
+
+uint32_t common_triangle_blend_many(const common_triangle_point *at, uint32_t n, pov_vec3 *out)
+{
+    uint32_t found = 0;
+    blend_lanes l;
+
+    if (n >= COMMON_LEAST) {
+        put_points(&l, at, n);
+        find_blends(&l);
+    }
+    for (uint32_t i = 0; i < n; i++) {
+        const bool certain = n >= COMMON_LEAST && l.certain[i] > 0.0;
+
+        if (certain)
+            out[i] = common_get(&l.out, i);
+        found |= (uint32_t)(certain || blend_one(&at[i], &out[i])) << i;
+    }
+    return found;
+}

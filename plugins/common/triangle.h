@@ -85,4 +85,12 @@ pov_vec3 common_triangle_normal(const pov_vec3 *a, const pov_vec3 *b, const pov_
 void common_triangle_shares(const pov_vec3 *a, const pov_vec3 *b, const pov_vec3 *c, pov_vec3 point, pov_vec3 point_lo,
                             double share[3]);
 
+/* Normals at the corners, blended by the shares in the point: a unit vector. False: it has no direction. */
+bool common_triangle_blend(const pov_vec3 normal[3], const double share[3], pov_vec3 *out);
+
+/* A point of a triangle; what is pointed to is read with the double behind it. */
+typedef struct common_triangle_point { const pov_vec3 *corner[3], *normal[3]; pov_vec3 point, point_lo; } common_triangle_point;
+/* common_triangle_blend() by common_triangle_shares(), bit for bit, for up to eight of them. Returns those with a direction, as bits. */
+uint32_t common_triangle_blend_many(const common_triangle_point *at, uint32_t n, pov_vec3 *out);
+
 #endif

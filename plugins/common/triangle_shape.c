@@ -64,15 +64,6 @@ void common_triangle_plane_normal(const void *self, const pov_ray *ray, const po
     *out = ((const common_triangle *)self)->normal;
 }
 
-bool common_triangle_blend(const pov_vec3 normal[3], const double share[3], pov_vec3 *out)
-{
-    const pov_vec3 sum = pov_add(pov_add(pov_scale(normal[0], share[0]), pov_scale(normal[1], share[1])),
-                                 pov_scale(normal[2], share[2]));
-
-    *out = pov_unit(sum);
-    return pov_largest(*out) > 0.0;
-}
-
 uint32_t common_triangle_shading_normals(const void *self, pov_vec3 point, pov_vec3 point_lo, const pov_mark *mark,
                                          pov_vec3 *normal, double *share)
 {

@@ -15,8 +15,6 @@ typedef struct common_triangle {
 
 /* Make it of corners as written; one whose corners lie on a line is never met. */
 void common_triangle_make(common_triangle *t, const pov_vec3 corner[3]);
-/* The blend of normals at the corners. False: they cancel out. */
-bool common_triangle_blend(const pov_vec3 normal[3], const double share[3], pov_vec3 *out);
 
 /* Functions of the class. */
 bool common_triangle_bounds(const void *self, pov_box *out);

@@ -32,6 +32,7 @@ void block_filters_never_exclude_a_crossing(void **unused);
 void many_rays_get_the_results_of_single_ones(void **unused);
 void many_rays_get_all_crossings_that_single_ones_get(void **unused);
 void many_normals_are_those_of_single_ones(void **unused);
+void many_shading_normals_are_those_of_single_ones(void **unused);
 void normals_at_points_are_those_of_rays(void **unused);
 
 /* contract_leaving.c */

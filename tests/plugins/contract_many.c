@@ -248,6 +248,40 @@ static uint32_t find_places(packet *c, place *places)
     return n;
 }
 
+void many_shading_normals_are_those_of_single_ones(void **unused)
+{
+    static packet c;
+    int broken = 0, seen = 0;
+
+    (void)unused;
+    if (!HAS(shading_normals_many))
+        subject_skip("has no shading_normals_many");
+    for (int round = 0; round < 3000; round++) {
+        place places[PACKET];
+        pov_vec3 point[PACKET], low[PACKET], normal[PACKET], one[POV_NORMALS_MAX];
+        const pov_mark *marks[PACKET];
+        uint32_t count[PACKET];
+        const uint32_t n = find_places(&c, places);
+
+        for (uint32_t i = 0; i < n; i++) {
+            point[i] = places[i].point[0];
+            low[i] = places[i].point[1];
+            marks[i] = &c.at[1][i].mark;
+        }
+        if (n > 0)
+            subject.shape->shading_normals_many(c.selves, point, low, marks, n, normal, count);
+        for (uint32_t i = 0; i < n; i++) {
+            double share[POV_NORMALS_MAX];
+            const uint32_t alone = subject.shape->shading_normals(c.selves[i], point[i], low[i], marks[i], one, share);
+
+            broken += alone != count[i] || (alone > 0 && (share[0] != 1.0 || memcmp(&one[0], &normal[i], sizeof one[0]) != 0));
+            seen += alone > 0;
+        }
+    }
+    assert_true(seen > 1000);
+    assert_int_equal(broken, 0);
+}
+
 static bool are_near(pov_vec3 a, pov_vec3 b)
 {
     return pov_largest(pov_sub(a, b)) <= 0x1p-51;

@@ -61,6 +61,10 @@ static const struct { const char *keyword, *text; } texts[] = {
     { "smooth_triangle", "<0, 0, 0>, <0, 0, -1>, <1, 0, 0>, <1, 0, -2>, <0, 1, 0>, <0, 3, -1>" },
     { "mesh2", "vertex_vectors { 4, <0,0,0>, <1,0,0>, <0,1,0>, <0,0,1> } face_indices { 4, <0,1,2>, <0,1,3>, <0,2,3>, "
                "<1,2,3> } inside_vector <0.3, 0.9, 0.1>" },
+    /* Smooth but for its last face, whose normals are one. */
+    { "mesh2", "vertex_vectors { 4, <0,0,0>, <1,0,0>, <0,1,0>, <0,0,1> } normal_vectors { 5, <-1,-1,-1>, <3,-1,.2>, <-1,2,-1>, <0,-1,3>, "
+               "<1,1,1> } face_indices { 4, <0,1,2>, <0,1,3>, <0,2,3>, <1,2,3> } normal_indices { 4, <0,1,2>, <0,1,3>, <0,2,3>, <4,4,4> } "
+               "inside_vector <0.3, 0.9, 0.1>" },
     { "mesh", "triangle { <1,0,0>, <0,1,0>, <0,0,1> } triangle { <0,1,0>, <-1,0,0>, <0,0,1> } "
               "triangle { <-1,0,0>, <0,-1,0>, <0,0,1> } triangle { <0,-1,0>, <1,0,0>, <0,0,1> } "
               "triangle { <0,1,0>, <1,0,0>, <0,0,-1> } triangle { <-1,0,0>, <0,1,0>, <0,0,-1> } "

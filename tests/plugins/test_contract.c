@@ -107,6 +107,7 @@ static int check_file(const char *file)
         cmocka_unit_test(many_rays_get_the_results_of_single_ones),
         cmocka_unit_test(many_rays_get_all_crossings_that_single_ones_get),
         cmocka_unit_test(many_normals_are_those_of_single_ones),
+        cmocka_unit_test(many_shading_normals_are_those_of_single_ones),
         cmocka_unit_test(normals_at_points_are_those_of_rays),
         cmocka_unit_test(a_ray_that_leaves_never_hits_its_start),
         cmocka_unit_test(a_box_or_sphere_fills_its_bounds),

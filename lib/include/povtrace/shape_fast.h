@@ -134,6 +134,10 @@ typedef struct pov_shape_fast {
      * block, for each ray that has a bit in `lanes`, all of which block_filter() may be asked for. It is not outside lo[i] to hi[i], and it is
      * there if 0 < lo[i]. lo and hi have POV_RAYS_MAX entries; entries of other rays may be written. */
     void (*block_bounds)(const void *block, uint32_t lane, const pov_rays *rays, uint64_t lanes, double *lo, double *hi);
+    /* [render] As n calls of shading_normals(), bit for bit, for classes that blend one normal at most: out[i] and how many, 0 or 1; the
+     * share is 1. Point i is points[i] + points_lo[i]; n is at least one. */
+    void (*shading_normals_many)(const void *const *selves, const pov_vec3 *points, const pov_vec3 *points_lo, const pov_mark *const *marks,
+                                 uint32_t n, pov_vec3 *out, uint32_t *count);
 } pov_shape_fast;
 
 #endif
