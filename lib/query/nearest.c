@@ -95,8 +95,8 @@ static void ask_open(packet *p, const leaf_batch *r, pairs *open, const xform_ba
 /* Is it a batch of one shape, which takes several rays side by side? */
 static inline bool takes_several(const leaf_batch *r) { return r->count == 1 && r->shape->intersect_many; }
 
-/* The first n candidates. */
-SIMD_INLINE void take(packet *p, const leaf_batch *r, uint32_t n)
+/* The first n candidates. several: those of a shape follow one another, and its class takes them side by side. */
+SIMD_INLINE void take(packet *p, const leaf_batch *r, uint32_t n, bool several)
 {
     const pov_candidate *m = p->candidates;
     uint8_t open_lanes[WORLD_MANY];
@@ -112,7 +112,7 @@ SIMD_INLINE void take(packet *p, const leaf_batch *r, uint32_t n)
             (left && is_excluded(r, m->lane, ray, p->traversal.soa.excluded[m->ray])))
             continue;
         /* The filter does not know the root that a ray starts on. */
-        if (m->definite && !left && (r->plain >> m->lane & 1)) {
+        if (m->definite && !left) {
             defer(p, r, m->ray, m->lane, m->lo, m->hi, m->note);
             SIMD_PREFETCH(leaf_batch_instance(r, m->lane));
         } else if (r->flags & LEAF_INSTANCED) {
@@ -123,7 +123,7 @@ SIMD_INLINE void take(packet *p, const leaf_batch *r, uint32_t n)
             hits->owner = r->object[0];
             ray = own_ray(p->context, &instanced, leaf_batch_xform(r), ray, p->of[m->ray], hits->owner);
             pairs_put(&open, r->instances, ray, hits);
-        } else if (r->shape == &csg_class || takes_several(r)) {
+        } else if (r->shape == &csg_class || several) {
             const void *shape = leaf_batch_instance(r, m->lane);
 
             if (open.count > 0 && open.selves[0] != shape)
@@ -162,7 +162,7 @@ static void filter_bounds(packet *p, const leaf_batch *r, uint64_t lanes)
 
         packet_bounds(p, r, which, lanes, &b);
         b.maybe &= ~starting_on(p, r->object[which], b.maybe);
-        sure = r->plain >> which & 1 ? b.maybe & b.definite : 0;
+        sure = b.maybe & b.definite;
         open = b.maybe & ~sure;
         if (!p->deferred_lanes && sure) {
             defer_first(p, r, which, &b, sure);
@@ -171,7 +171,7 @@ static void filter_bounds(packet *p, const leaf_batch *r, uint64_t lanes)
         for (; sure; sure &= sure - 1)
             defer(p, r, first_of64(sure), which, b.lo[first_of64(sure)], b.hi[first_of64(sure)], 0);
         if (open)
-            take(p, r, packet_put_bounds(p, &b, which, open, 0));
+            take(p, r, packet_put_bounds(p, &b, which, open, 0), r->shape->intersect_many != NULL);
     }
 }
 
@@ -181,7 +181,7 @@ SIMD_INLINE void filter(packet *p, const leaf_batch *r, uint64_t lanes)
     if (packet_has_bounds(r, lanes))
         filter_bounds(p, r, lanes);
     else
-        take(p, r, leaf_batch_filter(r, p->traversal.in, &p->traversal.soa, lanes, p->candidates));
+        take(p, r, leaf_batch_filter(r, p->traversal.in, &p->traversal.soa, lanes, p->candidates), takes_several(r));
 }
 
 /* The same for several lanes and one shape of a batch whose class takes rays side by side. */
