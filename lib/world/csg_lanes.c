@@ -58,17 +58,6 @@ static void move(const csg_near_rays *from, uint32_t i, uint32_t some, csg_near_
 
 /* ---- rays that pass ---- */
 
-/* The columns that hold the tree: a ray that is never within all of them passes it. */
-static uint32_t within_of(const csg_tree *t)
-{
-    const csg_outline *of = t->outline;
-    const uint32_t box = of->boxed ? 1u << of->count : 0;
-
-    if (t->clipped.outlined)
-        return box | (((1u << t->clipped.count) - 1) & ~t->clipped.hollows);
-    return t->chords.all ? t->chords.within : box | of->within;
-}
-
 SIMD_INLINE void find_never(const csg_tree *t, bool endless, const double *restrict most, csg_near_rays *restrict k, double *restrict passed,
                             double *restrict lo)
 {
@@ -78,7 +67,7 @@ SIMD_INLINE void find_never(const csg_tree *t, bool endless, const double *restr
         enter[i] = -HUGE_VAL;
         leave[i] = HUGE_VAL;
     }
-    for (uint32_t left = within_of(t); left; left &= left - 1) {
+    for (uint32_t left = csg_lanes_within(t); left; left &= left - 1) {
         const uint32_t c = first_of(left);
 
         csg_lanes_cross(t->outline, c, c % CSG_FEW, k, endless);
@@ -218,7 +207,7 @@ static void take(const csg_tree *t, const pov_rays *rays, uint32_t first, uint32
         some &= ~((passed[i] > 0.0 ? 1u : 0u) << i);
     }
     for (; some; some &= some - 1)
-        add(k, first_of(some), within_of(t), to);
+        add(k, first_of(some), csg_lanes_within(t), to);
 }
 
 static pov_candidate candidate_of(const csg_tree *t, const csg_firsts *f, uint32_t i, double most)
@@ -336,7 +325,7 @@ uint32_t csg_filter(const void *block, const uint32_t *owners, const pov_rays *r
     for (uint32_t which = 0; which < b->count; which++) {
         const csg_tree *t = b->tree[which];
 
-        if ((lanes & (lanes - 1)) == 0 || !t->outline || !(within_of(t) || has_table(t)))
+        if ((lanes & (lanes - 1)) == 0 || !t->outline || !(csg_lanes_within(t) || has_table(t)))
             n += decline(lanes, which, out + n);
         else if (t->chords.all || has_table(t))
             n += filter(t, rays, lanes, which, out + n);

@@ -40,6 +40,17 @@ static inline uint32_t csg_lanes_column(const csg_tree *t, uint32_t name)
     return CSG_COLUMNS;
 }
 
+/* The columns that hold the tree: a ray that is never within all of them passes it. */
+static inline uint32_t csg_lanes_within(const csg_tree *t)
+{
+    const csg_outline *of = t->outline;
+    const uint32_t box = of->boxed ? 1u << of->count : 0;
+
+    if (t->clipped.outlined)
+        return box | (((1u << t->clipped.count) - 1) & ~t->clipped.hollows);
+    return t->chords.all ? t->chords.within : box | of->within;
+}
+
 SIMD_INLINE double csg_lesser(double a, double b) { return a < b ? a : b; }
 SIMD_INLINE double csg_greater(double a, double b) { return a > b ? a : b; }
 

@@ -30,24 +30,43 @@ SIMD_INLINE double nearest(double in, double out, double start)
     return csg_lesser(fabs(in - out), csg_lesser(fabs(in - start), fabs(out - start)));
 }
 
-/* How much farther from each other, and from the start, are the ends of a column than what is near? Ends that are not there tell nothing. */
-SIMD_INLINE double clearance(const csg_near_rays *restrict of, uint32_t c, uint32_t i, bool endless)
+/* How much farther from each other, and from the start, are the ends of a column than what is near? Ends that are not there tell nothing.
+ * apart: if not 0, those near the start tell nothing either. */
+SIMD_INLINE double clearance(const csg_near_rays *restrict of, uint32_t c, uint32_t i, double apart, bool endless)
 {
-    const double in = of->in[c][i], out = of->out[c][i], start = of->of[CSG_NEAR_START][i];
-    const double at_start = csg_lesser(fabs(in - start), fabs(out - start)), between = fabs(in - out);
+    const double in = of->in[c][i], out = of->out[c][i], start = of->of[CSG_NEAR_START][i], between = fabs(in - out);
+    const double at_start = apart > 0.0 ? HUGE_VAL : csg_lesser(fabs(in - start), fabs(out - start));
 
     if (!endless)
         return csg_lesser(between, at_start) - margin;
     return csg_lesser(between - csg_lanes_near(of, i, csg_lesser(fabs(in), fabs(out)), true), at_start - csg_lanes_near(of, i, start, true));
 }
 
-SIMD_INLINE void find_clearance(uint32_t columns, const csg_near_rays *restrict of, bool endless, double *restrict least)
+/* apart: NULL is as 0 everywhere. */
+SIMD_INLINE void find_clearance(uint32_t columns, const csg_near_rays *restrict of, const double *apart, bool endless,
+                                double *restrict least)
 {
     SIMD_LOOP for (uint32_t i = 0; i < CSG_TOGETHER; i++)
         least[i] = HUGE_VAL;
     for (uint32_t c = 0; c < columns; c++)
         SIMD_LOOP for (uint32_t i = 0; i < CSG_TOGETHER; i++)
-            least[i] = csg_lesser(clearance(of, c, i, endless), least[i]);
+            least[i] = csg_lesser(clearance(of, c, i, apart ? apart[i] : 0.0, endless), least[i]);
+}
+
+/* Where rays start certainly outside of a column that the tree is within, what they cross at the start does not show, such as the plane of a
+ * floor that a solid stands on. */
+SIMD_INLINE void find_apart(uint32_t within, const csg_near_rays *restrict of, bool endless, double *restrict apart)
+{
+    for (; within; within &= within - 1) {
+        const uint32_t c = first_of(within);
+
+        SIMD_LOOP for (uint32_t i = 0; i < CSG_TOGETHER; i++) {
+            const double start = of->of[CSG_NEAR_START][i], near = 2.0 * csg_lanes_near(of, i, start, endless);
+            const double beside = csg_greater(of->in[c][i] - start, start - of->out[c][i]);
+
+            apart[i] = beside > near ? 1.0 : apart[i];
+        }
+    }
 }
 
 /* Of rays that start on a column's surface, the crossing there is behind; where it is not known which one that is all is open. */
@@ -65,14 +84,16 @@ SIMD_INLINE void leave_column(uint32_t c, const double *restrict from, csg_near_
     }
 }
 
-/* Where crossings are near the start, or near each other, all is open but for those of the surface that the ray starts on. */
+/* Where crossings are near the start, or near each other, all is open but for those of the surface that the ray starts on, and those that do not
+ * show. */
 SIMD_CLONES SIMD_NOINLINE static void leave_by_name(const csg_tree *t, const pov_rays *restrict rays, const double *restrict least,
                                                     csg_near_rays *restrict io, bool endless)
 {
-    SIMD_ALIGNED csg_lane from, left;
+    SIMD_ALIGNED csg_lane from, left, apart;
     uint32_t columns = 0;
 
     for (uint32_t i = 0; i < CSG_TOGETHER; i++) {
+        apart[i] = 0.0;
         const uint32_t c = least[i] > 0.0 ? CSG_COLUMNS : csg_lanes_column(t, rays->rays[io->ray[i]]->origin_surface);
 
         from[i] = c;
@@ -80,7 +101,8 @@ SIMD_CLONES SIMD_NOINLINE static void leave_by_name(const csg_tree *t, const pov
     }
     for (columns &= (1u << CSG_COLUMNS) - 1; columns; columns &= columns - 1)
         leave_column(first_of(columns), from, io, endless);
-    find_clearance(t->outline->count, io, endless, left);
+    find_apart(csg_lanes_within(t), io, endless, apart);
+    find_clearance(t->outline->count, io, apart, endless, left);
     SIMD_LOOP for (uint32_t i = 0; i < CSG_TOGETHER; i++)
         io->of[CSG_NEAR_OPEN][i] = left[i] > 0.0 ? io->of[CSG_NEAR_OPEN][i] : 1.0;
 }
@@ -92,7 +114,7 @@ SIMD_INLINE void check_near(const csg_tree *t, const pov_rays *restrict rays, cs
     SIMD_ALIGNED uint64_t near[CSG_TOGETHER];
     SIMD_ALIGNED csg_lane least;
 
-    find_clearance(t->outline->count, io, endless, least);
+    find_clearance(t->outline->count, io, NULL, endless, least);
     SIMD_LOOP for (uint32_t i = 0; i < CSG_TOGETHER; i++)
         near[i] = least[i] > 0.0 ? 0 : 1;
     if (is_any(near))
