@@ -211,12 +211,12 @@ COMMON_SEPARATE static void tell(const lines *restrict n, const sums *restrict o
         const double inside = of->side[i] < 0.0 ? 1.0 : 0.0, crossed = of->hi[i] < HUGE_VAL ? 1.0 : 0.0, known = 1.0 - of->open[i];
         const double none = n->end[i] < n->begin[i] ? 1.0 - n->open[i] : 0.0, enters = inside * n->enters[i];
         const double leaves = (1.0 - crossed) * inside * n->leaves[i], off = 2.0 * n->off[i], hit = enters + crossed + leaves > 0.0 ? known : 0.0;
-        const double lo = crossed > 0.0 ? of->lo[i] : n->sure_end[i], hi = crossed > 0.0 ? of->hi[i] : n->sure_end[i];
+        const double lo = crossed > 0.0 ? of->lo[i] : n->sure_end[i], hi = crossed > 0.0 ? of->hi[i] : n->end[i];
 
         /* A stretch that begins inside ends with a crossing, or where the ray does. */
         out->passed[i] = none > 0.0 ? 1.0 : known - hit;
         out->hit[i] = none > 0.0 ? 0.0 : hit;
-        out->lo[i] = ((enters > 0.0 ? n->sure_begin[i] : lo) - off) * n->per[i];
+        out->lo[i] = ((enters > 0.0 ? n->begin[i] : lo) - off) * n->per[i];
         out->hi[i] = ((enters > 0.0 ? n->sure_begin[i] : hi) + off) * n->per[i];
     }
 }

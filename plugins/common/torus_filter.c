@@ -87,17 +87,17 @@ COMMON_INLINE part part_of(const torus *t, const space *to, const ray_lanes *l, 
     const double dx = l->dir[0][i], dy = l->dir[1][i], dz = l->dir[2][i], reach = t->R + t->r;
     const pov_vec3 p = turn(to, l->org[0][i] - to->anchor.x, l->org[1][i] - to->anchor.y, l->org[2][i] - to->anchor.z);
     const pov_vec3 o = pov_add(p, to->from), d = turn(to, dx, dy, dz);
-    const double inverse = 1.0 / pov_dot(d, d), middle = -pov_dot(o, d) * inverse;
+    const double square = pov_dot(d, d), inverse = 1.0 / square, middle = -pov_dot(o, d) * inverse;
     const pov_vec3 w = pov_add(o, pov_scale(d, middle));
     const double within = reach * reach * (1.0 + 0x1p-20) - pov_dot(w, w), half = sqrt(common_greater(within, 0x1p-30) * inverse);
     const double off = 2.0 * (to->off + to->off_far * l->size[i] + (fabs(middle) + half) * to->off_dir * (fabs(dx) + fabs(dy) + fabs(dz)));
-    const double high = t->r * (1.0 + 0x1p-20) + off + 0x1p-46, slope = fabs(d.y) > 1e-30 ? d.y : 1e-30;
+    const double high = t->r * (1.0 + 0x1p-20) + off + 0x1p-46, slope = fabs(d.y) > 1e-200 ? d.y : 1e-200;
     const double a = (-high - w.y) / slope, b = (high - w.y) / slope;
     const double from = common_greater(common_lesser(a, b), -half), end = common_lesser(common_greater(a, b), half);
     part out;
 
     out.length = within + 16.0 * off < 0.0 ? -1.0 : end - from;
-    out.off = off;
+    out.off = square > 1e-200 ? square < 1e200 ? off : HUGE_VAL : HUGE_VAL;
     out.s.torus = t;
     out.s.ray.d = d;
     out.s.middle = middle + 0.5 * (from + end);
