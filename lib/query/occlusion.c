@@ -290,10 +290,10 @@ static uint64_t ask_together(packet *p, const leaf_batch *r, uint32_t which, uin
     return ended;
 }
 
-/* Does a batch's block filter rays by lane, however many lanes there are? */
+/* Does a batch's block filter rays by lane, however many lanes there are? One that knows roots at their starts needs the rays. */
 static inline bool takes_lanes(const leaf_batch *r, uint64_t lanes)
 {
-    return (r->flags & (LEAF_PACKED | LEAF_INSTANCED | LEAF_RESERVED)) == (LEAF_PACKED | LEAF_RESERVED) && r->shape != &csg_class &&
+    return (r->flags & (LEAF_PACKED | LEAF_INSTANCED | LEAF_RESERVED)) == (LEAF_PACKED | LEAF_RESERVED) && r->shape != &csg_class && !r->shape->narrow &&
            (r->count > 1 || (lanes & (lanes - 1)) != 0);
 }
 

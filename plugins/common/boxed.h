@@ -50,15 +50,24 @@ void common_boxed_intersect_many(size_t boxed_at, common_cross_entry *cross, com
     static const pov_shape_fast fast = { .size = sizeof(pov_shape_fast), .intersect_many = intersect_many };                 \
     static const void *extension(const char *name) { return common_is_fast(name) ? &fast : NULL; }
 
-/* The same of one that finds first crossings side by side, and looks at candidates closer (narrow.h). */
+/* The same of one that finds first crossings side by side, and looks at candidates closer, which needs narrow.h. */
 #define COMMON_NARROW_CLASS(type, cross, first, starts, closer)                                                              \
     COMMON_BOXED_RAYS(type, cross, first, starts)                                                                            \
-    static const pov_shape_fast fast = { .size = sizeof(pov_shape_fast), .intersect_many = intersect_many, .narrow = closer };   \
+    COMMON_NARROW_PACK(closer)                                                                                               \
+    static const pov_shape_fast fast = { .size = sizeof(pov_shape_fast), .intersect_many = intersect_many,                   \
+                                         COMMON_NARROW_BLOCKS(closer) };                                                     \
     static const void *extension(const char *name) { return common_is_fast(name) ? &fast : NULL; }
 
 /* And whose normals need points, which are found side by side: its normal_at() does the rest. */
 #define COMMON_ROUND_CLASS(type, cross, first, starts, closer, normal_at)                                                    \
     COMMON_BOXED_RAYS(type, cross, first, starts)                                                                            \
+    COMMON_BOXED_NORMALS(type, normal_at)                                                                                    \
+    COMMON_NARROW_PACK(closer)                                                                                               \
+    static const pov_shape_fast fast = { .size = sizeof(pov_shape_fast), .intersect_many = intersect_many,                   \
+                                         .normal_many = normal_many, COMMON_NARROW_BLOCKS(closer) };                         \
+    static const void *extension(const char *name) { return common_is_fast(name) ? &fast : NULL; }
+
+#define COMMON_BOXED_NORMALS(type, normal_at)                                                                                \
     static void normal(const void *self, const pov_ray *ray, const pov_crossing *at, pov_vec3 *out)                          \
     {                                                                                                                        \
         const common_boxed *b = &((const type *)self)->boxed;                                                                \
@@ -70,10 +79,7 @@ void common_boxed_intersect_many(size_t boxed_at, common_cross_entry *cross, com
                             pov_vec3 *const *out, uint32_t n)                                                                \
     {                                                                                                                        \
         common_boxed_normal_many(offsetof(type, boxed), normal_at, selves, rays, at, out, n);                                \
-    }                                                                                                                        \
-    static const pov_shape_fast fast = { .size = sizeof(pov_shape_fast), .intersect_many = intersect_many,                   \
-                                         .normal_many = normal_many, .narrow = closer };                                     \
-    static const void *extension(const char *name) { return common_is_fast(name) ? &fast : NULL; }
+    }
 
 #define COMMON_BOXED_RAYS(type, cross, first, starts)                                                                        \
     static void intersect(const void *self, const pov_ray *ray, pov_hits *hits)                                              \

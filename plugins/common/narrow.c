@@ -2,6 +2,8 @@
 
 #include "common/lanes.h"
 
+#include <stddef.h>
+
 enum { N = COMMON_BEAMS };
 
 /* With more than this nothing is known. Boxes are so much wider, far more than places are off. */
@@ -56,7 +58,7 @@ COMMON_SEPARATE static void enter(const space *to, const ray_lanes *restrict l, 
         const double dx = l->dir[0][i], dy = l->dir[1][i], dz = l->dir[2][i], tmax = l->tmax[i];
         const pov_vec3 p = turn(to, l->org[0][i] - to->anchor.x, l->org[1][i] - to->anchor.y, l->org[2][i] - to->anchor.z);
         const pov_vec3 o = pov_add(p, to->from), d = turn(to, dx, dy, dz);
-        const double length = sqrt(pov_dot(d, d)), unit = 1.0 / length, off_dir = to->off_far * (fabs(dx) + fabs(dy) + fabs(dz));
+        const double square = pov_dot(d, d), length = sqrt(square), unit = 1.0 / length, off_dir = to->off_far * (fabs(dx) + fabs(dy) + fabs(dz));
         double near = -HUGE_VAL, far = HUGE_VAL, base, end, off;
 
         clip_to(&near, &far, o.x, d.x, to->lo.x, to->hi.x);
@@ -75,7 +77,7 @@ COMMON_SEPARATE static void enter(const space *to, const ray_lanes *restrict l, 
         out->to[i] = end >= base ? (end - base) * length + off : -HUGE_VAL;
         out->sure_from[i] = near > 0.0 ? -1.0 : off;
         out->sure_to[i] = (tmax * (1.0 - 0x1p-40) - base) * length - off;
-        out->off[i] = off;
+        out->off[i] = square > 1e-200 ? square < 1e200 ? off : HUGE_VAL : HUGE_VAL;
         where->base[i] = base;
         where->unit[i] = unit;
     }
@@ -159,4 +161,35 @@ uint32_t common_narrow(const common_boxed *b, common_look *look, const void *sel
         }
     }
     return kept;
+}
+
+/* ---- shapes that nothing has moved ---- */
+
+bool common_narrow_pack(common_narrow_block *out, common_narrow_of *narrow, const void *const *selves, uint32_t n)
+{
+    out->narrow = narrow;
+    out->count = n;
+    for (uint32_t i = 0; i < n; i++)
+        out->self[i] = selves[i];
+    return true;
+}
+
+/* Without their own rays nothing is known of them. */
+uint32_t common_narrow_filter(const void *block, const uint32_t *owners, const pov_rays *rays, uint64_t lanes, pov_candidate *out)
+{
+    static const pov_own_map same = { { 0.0, 0.0, 0.0 }, { { 1.0, 0.0, 0.0 }, { 0.0, 1.0, 0.0 }, { 0.0, 0.0, 1.0 } }, { 0.0, 0.0, 0.0 } };
+    const common_narrow_block *b = block;
+    uint32_t count = 0;
+
+    for (uint32_t k = 0; k < b->count; k++) {
+        uint32_t n = 0;
+
+        for (uint64_t left = lanes; left; left &= left - 1) {
+            const pov_candidate one = { 0.0, HUGE_VAL, (uint8_t)common_first_lane64(left), (uint8_t)k, false, false, 0 };
+
+            out[count + n++] = one;
+        }
+        count += rays->rays ? b->narrow(b->self[k], &same, owners[k], rays, out + count, n) : n;
+    }
+    return count;
 }

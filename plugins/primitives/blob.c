@@ -369,7 +369,12 @@ static void normal_at(const void *self, pov_vec3 p, const pov_ray *ray, const po
         *out = pov_scale(pov_unit(ray->dir), -1.0);
 }
 
-COMMON_ROUND_CLASS(common_blob, common_blob_cross, common_blob_first, true, NULL, normal_at)
+COMMON_BOXED_RAYS(common_blob, common_blob_cross, common_blob_first, true)
+COMMON_BOXED_NORMALS(common_blob, normal_at)
+
+static const pov_shape_fast fast = { .size = sizeof(pov_shape_fast), .intersect_many = intersect_many, .normal_many = normal_many };
+
+static const void *extension(const char *name) { return common_is_fast(name) ? &fast : NULL; }
 
 /* Shares of the field so far, in falling order; the least gives way to a larger one. */
 typedef struct shares { uint32_t *which; double *share; uint32_t count; } shares;

@@ -6,6 +6,7 @@
  * outer sheet alone is the surface: what it holds is inside, and no ray meets the inner one. Without R that is a sphere, which
  * has two equal sheets and so a kernel of its own. */
 #include "common/radius.h"
+#include "common/narrow.h"
 #include "common/torus.h"
 #include "common/turns.h"
 
@@ -146,11 +147,13 @@ static bool ring(const void *self, double radii[2])
     return t->kind == TORUS_RING && t->major > t->minor;
 }
 
+COMMON_NARROW_PACK(narrow)
+
 static const pov_shape_fast torus_fast = {
     .size = sizeof(pov_shape_fast),
     .intersect_many = intersect_many,
     .normal_many = normal_many,
-    .narrow = narrow,
+    COMMON_NARROW_BLOCKS(narrow),
     .ring = ring,
     .intersect_between = intersect,
     .intersect_between_many = intersect_many,

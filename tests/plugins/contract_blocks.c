@@ -437,6 +437,7 @@ static int wrong_answers(const void *block, const pov_frame *frame, const thing 
 {
     static pov_rays rays;
     static pov_ray ray[POV_RAYS_MAX];
+    static const pov_ray *of_lanes[POV_RAYS_MAX];
     static pov_candidate candidates[POV_CANDIDATES_MAX];
     static const uint32_t owners[POV_BLOCK_MAX] = { 11, 12, 13, 14, 15, 16, 17, 18 };
     const bool convex = subject.shape->flags & POV_SHAPE_CONVEX;
@@ -447,6 +448,9 @@ static int wrong_answers(const void *block, const pov_frame *frame, const thing 
 
     block_rays(things, n, ray);
     lanes = put_rays(&rays, ray, frame, things, n);
+    for (i = 0; i < POV_RAYS_MAX; i++)
+        of_lanes[i] = &ray[i];
+    rays.rays = subject_uniform() < 0.9 ? of_lanes : NULL;
     for (i = 0; i < POV_RAYS_MAX; i++)
         rays.excluded[i] = subject_uniform() < 0.3 ? owners[(uint32_t)(n * subject_uniform())] : POV_NO_OWNER;
     /* Now and then one alone. */
