@@ -271,12 +271,15 @@ bool csg_chords_report(csg_traversal *w, const csg_first *f, pov_hits *hits)
 static bool is_found(csg_traversal *w, pov_hits *hits)
 {
     const uint32_t from = csg_outline_column(w);
+    csg_intervals of;
     csg_first first;
 
     /* A ray that leaves a convex member outward leaves the tree, which is within it. */
     if (w->ray->origin_mark.flags & POV_MARK_OUTWARD && w->tree->chords.within >> from & 1)
         return true;
-    switch (csg_outline_first(w->tree, w->ray, from, hits->tmax + hits->slack, &first)) {
+    if (!csg_outline_cross(w->tree->outline, w->ray, &of))
+        return false;
+    switch (csg_outline_first(w->tree->outline, &of, from, hits->tmax + hits->slack, &first)) {
     case CSG_NOTHING:
         return true;
     case CSG_CROSSED:
@@ -292,8 +295,8 @@ bool csg_chords_first(csg_traversal *w, pov_hits *hits)
     chord_search s;
     chord both;
 
-    if (w->tree->outline)
-        return is_found(w, hits);
+    if (w->tree->outline && is_found(w, hits))
+        return true;
     begin(&s, w, hits);
     csg_enter_few(w, &w->tree->few, s.enter, s.leave);
     for (uint32_t left = f->within; left; left &= left - 1)

@@ -313,9 +313,10 @@ static bool find_by_outline(csg_traversal *w, pov_hits *hits)
 
     if (hits->unfiltered)
         return false;
-    if (t->chords.all && t->open_count == 0 && wants_first(hits) && csg_chords_first(w, hits))
-        return true;
-    return (t->outline && !t->clipped.outlined && csg_sweep(w, hits)) || (t->clipped.count > 0 && wants_first(hits) && csg_clipped_first(w, hits));
+    if (t->chords.all && t->open_count == 0 && wants_first(hits))
+        return csg_chords_first(w, hits) || (t->outline && csg_sweep(w, hits, true));
+    return (t->outline && !t->clipped.outlined && csg_sweep(w, hits, hits->always_exact)) ||
+           (t->clipped.count > 0 && wants_first(hits) && csg_clipped_first(w, hits));
 }
 
 /* A ray that starts on several surfaces leaves one of the tree's by name; others of the tree are behind it by their distance. */

@@ -238,13 +238,13 @@ static double find_exit(const csg_intervals *of, uint32_t hollows, double leave)
 }
 
 /* A ray that is never within all members that are no complements, or within hollows until it leaves these: nothing. */
-static csg_found find(const csg_tree *t, const csg_intervals *of, double most, csg_first *out)
+static csg_found find(const csg_outline *by, const csg_intervals *of, double most, csg_first *out)
 {
-    const uint32_t hollows = t->chords.all & ~t->chords.within;
+    const uint32_t hollows = ((1u << by->count) - 1) & ~by->factors;
     double enter = -HUGE_VAL, leave = HUGE_VAL, at;
     csg_found found;
 
-    for (uint32_t left = t->chords.within; left; left &= left - 1) {
+    for (uint32_t left = by->factors; left; left &= left - 1) {
         enter = pov_max(enter, of->in[first_of(left)]);
         leave = pov_min(leave, of->out[first_of(left)]);
     }
@@ -257,19 +257,19 @@ static csg_found find(const csg_tree *t, const csg_intervals *of, double most, c
         return at > leave + margin ? CSG_NOTHING : CSG_OPEN;
     if (at == of->start)
         at = find_exit(of, hollows, leave);
-    found = find_end(of, t->few.count, at, out);
+    found = find_end(of, by->count, at, out);
     out->t = (at - of->start) * of->per_unit;
     out->off = margin * of->per_unit;
-    out->inward = out->enters == (t->chords.within >> out->column & 1);
+    out->inward = out->enters == (by->factors >> out->column & 1);
     return found;
 }
 
 /* Is the ray ahead and before `most` certainly never within all members that are no complements? */
-static bool is_nowhere(const csg_tree *t, const csg_intervals *of, double most)
+static bool is_nowhere(const csg_outline *by, const csg_intervals *of, double most)
 {
     double enter = -HUGE_VAL, leave = HUGE_VAL;
 
-    for (uint32_t left = t->chords.within; left; left &= left - 1) {
+    for (uint32_t left = by->factors; left; left &= left - 1) {
         const uint32_t i = first_of(left);
 
         enter = of->in[i] > enter ? of->in[i] : enter;
@@ -278,15 +278,9 @@ static bool is_nowhere(const csg_tree *t, const csg_intervals *of, double most)
     return enter > leave + margin || leave < of->start - margin || (enter - of->start - margin) * of->per_unit > most;
 }
 
-csg_found csg_outline_first(const csg_tree *t, const pov_ray *ray, uint32_t from, double most, csg_first *out)
+csg_found csg_outline_first(const csg_outline *by, csg_intervals *of, uint32_t from, double most, csg_first *out)
 {
-    csg_intervals of;
-
-    if (!csg_outline_cross(t->outline, ray, &of))
-        return CSG_OPEN;
-    if (is_nowhere(t, &of, most))
+    if (is_nowhere(by, of, most))
         return CSG_NOTHING;
-    if (!begin(t->few.count, from, &of))
-        return CSG_OPEN;
-    return find(t, &of, most, out);
+    return begin(by->count, from, of) ? find(by, of, most, out) : CSG_OPEN;
 }

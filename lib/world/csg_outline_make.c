@@ -395,7 +395,7 @@ static bool take_columns(csg_tree *t, csg_outline *of, pov_outline *all)
     *of = none;
     if (!has_clips(t))
         t->clipped = (csg_clipped){ .count = 0 };
-    if ((find_columns(t, of) && ask_columns(t, of, false, all)) || (take_clips(t, of) && ask_columns(t, of, false, all)))
+    if ((find_columns(t, of) && ask_columns(t, of, false, all)) || (!t->chords.all && take_clips(t, of) && ask_columns(t, of, false, all)))
         return true;
     drop_clips(t);
     *of = none;

@@ -485,6 +485,20 @@ static csg_found find_common(const sweep *s, uint32_t from, csg_first *out)
 /* Any crossing will do, wherever it is, and this one is certainly among those that count. */
 static bool is_enough(const csg_first *f, const pov_hits *hits) { return csg_first_is_enough(f, hits) && f->t - f->off > hits->tmin; }
 
+/* The first crossing of what all columns have in common, or some without others. Open: as of other trees. */
+static csg_found find_by_intervals(const sweep *s, uint32_t from, double most, csg_first *out)
+{
+    const csg_outline *of = s->of;
+    csg_intervals io;
+
+    if (csg_is_common(s->w->tree))
+        return find_common(s, from, out);
+    if (s->w->tree->chords.all || !of->is_product || of->endless || of->hidden || (of->asked | of->held) || s->io.outside)
+        return CSG_OPEN;
+    io = s->io;
+    return csg_outline_first(of, &io, from, most, out);
+}
+
 /* False: its member does not have it; `*more`: more is wanted. One before what counts is none. */
 static bool report(sweep *s, const found_crossing *f, pov_hits *hits, bool *more)
 {
@@ -541,7 +555,7 @@ static bool report_common(sweep *s, const csg_first *first, pov_hits *hits)
     return true;
 }
 
-bool csg_sweep(csg_traversal *w, pov_hits *hits)
+bool csg_sweep(csg_traversal *w, pov_hits *hits, bool exact)
 {
     const double most = hits->tmax + hits->slack;
     const uint32_t count = hits->count;
@@ -554,7 +568,7 @@ bool csg_sweep(csg_traversal *w, pov_hits *hits)
         return true;
     s.w = w;
     s.of = w->tree->outline;
-    s.exact = hits->always_exact;
+    s.exact = exact;
     s.escalated = 0;
     if (!csg_outline_cross(s.of, w->ray, &s.io))
         return false;
@@ -566,7 +580,7 @@ bool csg_sweep(csg_traversal *w, pov_hits *hits)
         return true;
     if (s.of->walked)
         return false;
-    found = hits->want != POV_WANT_ALL && csg_is_common(w->tree) ? find_common(&s, from, &first) : CSG_OPEN;
+    found = hits->want == POV_WANT_ALL ? CSG_OPEN : find_by_intervals(&s, from, most, &first);
     if (found == CSG_CROSSED)
         return report_common(&s, &first, hits);
     if (found == CSG_NOTHING || report_in_order(&s, from, hits))

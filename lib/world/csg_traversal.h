@@ -80,15 +80,12 @@ bool csg_hollows_first(const csg_traversal *w, const double *in, const double *o
 bool csg_hollowed_first(const csg_traversal *w, pov_hits *hits);
 /* Of n candidates of such a tree, those that do not certainly pass its surface. */
 uint32_t csg_clipped_narrow(const csg_tree *t, const pov_rays *rays, pov_candidate *io, uint32_t n);
-/* Which crossing of a tree with an outline is the first that is not beyond `most`? `from`: the column that the ray starts on, or
- * CSG_COLUMNS. */
 typedef enum csg_found { CSG_NOTHING, CSG_CROSSED, CSG_OPEN } csg_found;
 typedef struct csg_first {
     uint32_t column;
     bool enters, inward;         /* the member; the tree */
     double t, off;               /* about where, and by how much less than this that may be off */
 } csg_first;
-csg_found csg_outline_first(const csg_tree *t, const pov_ray *ray, uint32_t from, double most, csg_first *out);
 /* Report it, of a tree that has an outline. False: its member does not have it, as far as doubles tell. */
 bool csg_chords_report(csg_traversal *w, const csg_first *f, pov_hits *hits);
 /* The column of an outline that the ray starts on, or CSG_COLUMNS. */
@@ -111,6 +108,9 @@ typedef struct csg_intervals {
 } csg_intervals;
 /* False: open. */
 bool csg_outline_cross(const csg_outline *of, const pov_ray *ray, csg_intervals *out);
+/* Of what is in all factors and in no other column, of which each holds the ray between two places at most: which crossing is the first that is
+ * not beyond `most`? The intervals change. `from`: the column that the ray starts on, or CSG_COLUMNS. */
+csg_found csg_outline_first(const csg_outline *by, csg_intervals *of, uint32_t from, double most, csg_first *out);
 /* What all columns of clips have in common: the first interval. Behind it those of hollows, one after the other. */
 bool csg_outline_common(const csg_outline *of, uint32_t hollows, const pov_ray *ray, csg_intervals *out);
 /* By how much less than this the ends of these, as distances, are off; infinity if that is not known. */
@@ -127,8 +127,9 @@ static inline bool csg_is_common(const csg_tree *t)
 
     return of->count == t->member_count && of->within == (1u << of->count) - 1 && !of->hidden;
 }
-/* As csg_chords_first() of any tree with an outline of its own; all crossings, for hits that want these. False: some may have been reported. */
-bool csg_sweep(csg_traversal *w, pov_hits *hits);
+/* As csg_chords_first() of any tree with an outline of its own; all crossings, for hits that want these. exact: in double-double. False: some may
+ * have been reported. */
+bool csg_sweep(csg_traversal *w, pov_hits *hits, bool exact);
 /* Ask a member for its crossings, and count that. */
 void csg_intersect_member(const csg_traversal *w, const csg_member *m, pov_hits *found);
 /* Is a crossing that was found in double-double in the place that the ray starts from, and so behind it? */
