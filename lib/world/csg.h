@@ -88,8 +88,8 @@ typedef struct csg_outline {
     bool endless;                /* the tree has no box: errors are in parts of distances */
     bool is_product;             /* of columns and complements of columns: the tree holds what is in its factors and in no other column */
     uint32_t factors;            /* then, as bits */
-    uint8_t *values;             /* of the tree, by the columns that hold a point, as bits, where there are few; or NULL */
-    uint64_t shows[CSG_TABLE_COLUMNS], grows[CSG_TABLE_COLUMNS];   /* then, by column and by the others that hold a point, as the number of
+    uint8_t *values;             /* of the tree, by the columns that hold a point, as bits; or NULL */
+    uint64_t shows[CSG_TABLE_COLUMNS], grows[CSG_TABLE_COLUMNS];   /* of few columns then, by column and by the others that hold a point, as the number of
                                   * a bit: does the value change where the column is crossed, and is it larger within? */
     uint32_t within, convex;     /* columns that the tree is within, as bits; those of them that are convex */
     bool boxed;                  /* then: behind the columns there is one more, the tree's box, a little wider */
@@ -164,8 +164,8 @@ void csg_find_clipped(csg_tree *t);
 bool csg_is_small(const csg_tree *t);
 /* Once members have instances: which of them are one surface? False: no memory. */
 bool csg_find_same(csg_tree *t, const env *e);
-/* And what do they look like, where they are few? False: no memory. */
-bool csg_find_outline(csg_tree *t, const env *e);
+/* And what do they look like, where they are few? most: of so many columns all sets may have their values in a table. False: no memory. */
+bool csg_find_outline(csg_tree *t, const env *e, uint32_t most);
 /* Make the trees of a model; false: no memory. Call csg_free() in any case. */
 bool csg_make(csg_list *out, const model *m, const csg_source *source);
 void csg_free(csg_list *all, const env *e);

@@ -265,7 +265,12 @@ static uint32_t filter(const csg_tree *t, const pov_rays *rays, uint64_t lanes, 
 }
 
 /* Does a table tell what happens at each crossing? */
-static bool has_table(const csg_tree *t) { return t->outline->values && !(t->outline->asked | t->outline->held) && !t->clipped.outlined; }
+static bool has_table(const csg_tree *t)
+{
+    const csg_outline *of = t->outline;
+
+    return of->values && of->count <= CSG_TABLE_COLUMNS && !(of->asked | of->held) && !t->clipped.outlined;
+}
 
 static uint32_t filter_common(const csg_tree *t, const pov_rays *rays, uint64_t lanes, uint32_t which, pov_candidate *out)
 {

@@ -223,13 +223,15 @@ static const csg_member *member_at(const csg_tree *t, const csg_outline *of, uin
     return &t->members[of->member[column]];
 }
 
-/* What stands behind the numbers: of trees with chords, of clips and of boxed trees with a table what quadrics are turned; of trees without
- * chords the table. The sets of so many columns have their values in a table: more would take long to fill where there are many trees. */
+/* What stands behind the numbers: of trees with chords, of clips and of boxed trees with steps what quadrics are turned; of trees without
+ * chords a table of the values of all sets of columns, where these are few, or up to `most` and no product, which needs none. */
 static bool is_narrowed(const csg_tree *t) { return t->chords.all || t->clipped.outlined; }
 
-static size_t table_size(const csg_tree *t, const csg_outline *of)
+static bool has_steps(const csg_tree *t, const csg_outline *of) { return !is_narrowed(t) && of->count <= CSG_TABLE_COLUMNS; }
+
+static size_t table_size(const csg_tree *t, const csg_outline *of, uint32_t most)
 {
-    return is_narrowed(t) || of->count > CSG_TABLE_COLUMNS ? 0 : (size_t)1 << of->count;
+    return has_steps(t, of) || (!is_narrowed(t) && !of->is_product && of->count <= most) ? (size_t)1 << of->count : 0;
 }
 
 static size_t turned_size(const csg_tree *t, const csg_outline *of)
@@ -283,7 +285,7 @@ static bool ask_columns(const csg_tree *t, csg_outline *of, bool any, pov_outlin
         of->slabs += all[i].slabs;
         of->quadrics += all[i].round;
     }
-    of->boxed = t->boxed && (table_size(t, of) > 0 || (t->clipped.outlined && t->clipped.loose));
+    of->boxed = t->boxed && (has_steps(t, of) || (t->clipped.outlined && t->clipped.loose));
     of->slabs = (of->slabs + (of->boxed ? 3 : 0) + FOUR - 1) / FOUR * FOUR;
     of->quadrics = (of->quadrics + FOUR - 1) / FOUR * FOUR;
     return true;
@@ -402,10 +404,10 @@ static bool take_columns(csg_tree *t, csg_outline *of, pov_outline *all)
     return !t->chords.all && t->clipped.count == 0 && find_columns(t, of) && ask_columns(t, of, true, all);
 }
 
-bool csg_find_outline(csg_tree *t, const env *e)
+bool csg_find_outline(csg_tree *t, const env *e, uint32_t most)
 {
     pov_outline all[CSG_COLUMNS];
-    size_t numbers;
+    size_t numbers, table;
     csg_outline of;
 
     if (!take_columns(t, &of, all))
@@ -415,18 +417,20 @@ bool csg_find_outline(csg_tree *t, const env *e)
     if (!(of.per_size > 1e-100 && of.per_size < 1e100))
         return drop_outline(t, e);
     numbers = SLAB_NUMBERS * of.slabs + QUADRIC_NUMBERS * of.quadrics;
-    t->outline = env_alloc(e, 1, sizeof of + numbers * sizeof(double) + turned_size(t, &of) + table_size(t, &of));
+    table = table_size(t, &of, most);
+    t->outline = env_alloc(e, 1, sizeof of + numbers * sizeof(double) + turned_size(t, &of) + table);
     if (!t->outline)
         return false;
     *t->outline = of;
     t->outline->turned = turned_size(t, &of) ? (csg_turned *)(void *)(t->outline->numbers + numbers) : NULL;
     if (!add_all(t, all, t->outline))
         return drop_outline(t, e);
-    if (table_size(t, &of) == 0)
+    if (table == 0)
         return true;
     t->outline->values = (uint8_t *)(t->outline->numbers + numbers) + turned_size(t, &of);
-    if (!find_values(t, e, t->outline, (uint32_t)table_size(t, &of)))
+    if (!find_values(t, e, t->outline, (uint32_t)table))
         return false;
-    find_steps(t->outline);
+    if (has_steps(t, &of))
+        find_steps(t->outline);
     return true;
 }

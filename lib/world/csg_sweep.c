@@ -161,10 +161,12 @@ static bool add_own(sweep *s, uint32_t i, bool ends_inside, const pov_hits *hits
 static bool add_column(sweep *s, uint32_t i, uint32_t from, const pov_hits *hits)
 {
     const double in = s->io.in[i], out = s->io.out[i], start = s->io.start, near = near_by(s, start);
-    const bool enters = fabs(in - start) <= near, leaves = fabs(out - start) <= near;
+    bool enters, leaves;
 
     if (in == HUGE_VAL || in - out > near_by(s, in))
         return i != from;
+    enters = fabs(in - start) <= near;
+    leaves = fabs(out - start) <= near;
     if (i == from && enters == leaves)
         return false;
     if (i != from && (enters || leaves) && start + near >= s->from)

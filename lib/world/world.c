@@ -163,20 +163,40 @@ static void note_open(csg_tree *t, const csg_member *m)
 }
 
 /* Members get their positions from their batches. */
+static void bind_members(world *w, csg_tree *t)
+{
+    for (uint32_t k = 0; k < t->member_count; k++) {
+        csg_member *m = &t->members[k];
+        const shape_ref ref = world_shape(w, m->leaf);
+
+        m->instance = ref.instance;
+        m->xform = ref.xform;
+        m->class_number = w->groups[w->objects_info[m->leaf].group].class_number;
+        m->open = !m->patch && m->shape->open && m->shape->open(m->instance);
+        note_open(t, m);
+    }
+}
+
+/* Tables of trees' values take a time to fill that grows with their sizes: of these have no more than so many in all. */
+static uint32_t table_columns(uint32_t trees)
+{
+    enum { COLUMNS_MOST = 14, SETS_MOST = 1 << 15 };
+    uint32_t columns = COLUMNS_MOST;
+
+    while (columns > CSG_TABLE_COLUMNS && trees > (uint32_t)SETS_MOST >> columns)
+        columns--;
+    return columns;
+}
+
 static bool bind_trees(world *w)
 {
-    for (uint32_t i = 0; i < w->trees.count; i++) {
-        for (uint32_t k = 0; k < w->trees.items[i].member_count; k++) {
-            csg_member *m = &w->trees.items[i].members[k];
-            const shape_ref ref = world_shape(w, m->leaf);
+    const uint32_t columns = table_columns(w->trees.count);
 
-            m->instance = ref.instance;
-            m->xform = ref.xform;
-            m->class_number = w->groups[w->objects_info[m->leaf].group].class_number;
-            m->open = !m->patch && m->shape->open && m->shape->open(m->instance);
-            note_open(&w->trees.items[i], m);
-        }
-        if (!csg_find_same(&w->trees.items[i], w->env) || !csg_find_outline(&w->trees.items[i], w->env))
+    for (uint32_t i = 0; i < w->trees.count; i++) {
+        csg_tree *t = &w->trees.items[i];
+
+        bind_members(w, t);
+        if (!csg_find_same(t, w->env) || !csg_find_outline(t, w->env, columns))
             return false;
     }
     return true;
