@@ -267,6 +267,59 @@ colour media_transmittance(const model *m, const media_set *s, const media_segme
 
 /* ---- segments side by side ---- */
 
+/* The strata of some segments of light, as fill() has them, side by side. */
+typedef struct shadow_strata { uint32_t count; double edge[MEDIA_TOGETHER][DENSITIES_SHADOW + 1]; texture_points points; } shadow_strata;
+
+static void add_shadow(const media_segment *on, shadow_strata *out)
+{
+    const media_random r = media_random_of(on);
+    const media_division by = { .lo = 0.0, .hi = on->length, .wanted = DENSITIES_SHADOW };
+    double *edge = out->edge[out->count];
+    media_strata s;
+
+    media_divide(&by, &s);
+    memcpy(edge, s.edge, sizeof out->edge[0]);
+    for (uint32_t i = 0; i < DENSITIES_SHADOW; i++) {
+        const double at = edge[i] + media_jitter(&r, i) * (edge[i + 1] - edge[i]);
+
+        texture_point(&out->points, out->count * DENSITIES_SHADOW + i, pov_add(on->from, pov_scale(on->dir, at)), pov_vec3_of(0.0, 0.0, 0.0));
+    }
+    out->count++;
+}
+
+/* Does light come to an end so early that strata are made anew? */
+static bool ends_early(double depth[3][DENSITIES_SHADOW + 1])
+{
+    bool early = false;
+
+    for (uint32_t k = 0; 2 * k < DENSITIES_SHADOW; k++)
+        early = early || (depth[0][k] > opaque_depth && depth[1][k] > opaque_depth && depth[2][k] > opaque_depth);
+    return early;
+}
+
+void media_transmittances(const model *m, const media_set *s, const media_segment *on, uint32_t n, colour *out)
+{
+    shadow_strata strata;
+    media_optics o;
+
+    if (n == 0)
+        return;
+    strata.count = 0;
+    strata.points.has_surface = false;
+    strata.points.parts = NULL;
+    for (uint32_t i = 0; i < n; i++)
+        add_shadow(&on[i], &strata);
+    media_set_at_points(m, s, &strata.points, n * DENSITIES_SHADOW, NULL, &o);
+    for (uint32_t i = 0; i < n; i++) {
+        double depth[3][DENSITIES_SHADOW + 1] = { { 0.0 } };
+
+        for (int c = 0; c < 3; c++)
+            put_depths(strata.edge[i], o.loss[c] + i * DENSITIES_SHADOW, DENSITIES_SHADOW, depth[c]);
+        out[i] = ends_early(depth) ? media_transmittance(m, s, &on[i])
+                                   : left_at((const double[3]){ depth[0][DENSITIES_SHADOW], depth[1][DENSITIES_SHADOW], depth[2][DENSITIES_SHADOW] });
+    }
+}
+
 /* As even_transmittance() has it. */
 void media_depths_put(const model *m, const media_set *s, double length, uint32_t i, media_depths *out)
 {

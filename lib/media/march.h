@@ -32,6 +32,9 @@ typedef struct media_march {
 void media_march_begin(media_march *l);
 /* Transmittance of the segment alone, for shadows. */
 colour media_transmittance(const model *m, const media_set *s, const media_segment *on);
+/* The same of n segments in media that vary, n <= MEDIA_TOGETHER. */
+enum { MEDIA_TOGETHER = 8 };
+void media_transmittances(const model *m, const media_set *s, const media_segment *on, uint32_t n, colour *out);
 /* In sets that do not vary, segments side by side: their depths, and what is left of light behind n of them. */
 typedef struct media_depths { double by[3][LANES_MAX]; } media_depths;
 void media_depths_put(const model *m, const media_set *s, double length, uint32_t i, media_depths *out);

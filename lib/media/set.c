@@ -1,7 +1,5 @@
 #include "media/set.h"
 
-#include "texture/texture.h"
-
 #include <string.h>
 
 void media_set_add(media_set *s, const media *m, uint32_t leaf)
@@ -16,6 +14,15 @@ void media_set_add(media_set *s, const media *m, uint32_t leaf)
         s->strata = one->strata > s->strata ? one->strata : s->strata;
         s->of[s->count++] = (media_member){ one, leaf };
     }
+}
+
+bool media_set_same(const media_set *a, const media_set *b)
+{
+    bool same = a->count == b->count;
+
+    for (uint32_t i = 0; same && i < a->count; i++)
+        same = a->of[i].medium == b->of[i].medium;
+    return same;
 }
 
 static bool is_lit(const model *m, const media_member *of, const light *by)
@@ -151,22 +158,28 @@ static void set_even(const model *m, const media_set *s, const light *by, uint32
         }
 }
 
+void media_set_at_points(const model *m, const media_set *s, const texture_points *points, uint32_t n, const light *by, media_optics *out)
+{
+    media_channel one[3];
+    density d;
+
+    clear(s, out, n);
+    for (uint32_t i = 0; i < s->count; i++) {
+        find_density(m, s->of[i].medium, points, n, &d);
+        find_optics(s->of[i].medium, is_lit(m, &s->of[i], by), one);
+        add(s, out, one, &d, n);
+    }
+}
+
 void media_set_at(const model *m, const media_set *s, const media_segment *on, const double *at, uint32_t n,
                   const light *by, media_optics *out)
 {
     texture_points points;
-    media_channel one[3];
-    density d;
 
     if (!s->varies) {
         set_even(m, s, by, n, out);
         return;
     }
     place(on, at, n, &points);
-    clear(s, out, n);
-    for (uint32_t i = 0; i < s->count; i++) {
-        find_density(m, s->of[i].medium, &points, n, &d);
-        find_optics(s->of[i].medium, is_lit(m, &s->of[i], by), one);
-        add(s, out, one, &d, n);
-    }
+    media_set_at_points(m, s, &points, n, by, out);
 }

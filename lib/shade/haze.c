@@ -28,46 +28,110 @@ static void walk_over(const shading *scene, interior_walk *w, const pov_ray *ray
     walk_cross(scene, w, at->owner, h.entering);
 }
 
-/* What is still to be multiplied, by piece: those of one ray in their order. */
+/* Pieces in the same media, which vary. */
+typedef struct varied_pieces { uint32_t count; uint8_t at[MEDIA_TOGETHER]; media_segment on[MEDIA_TOGETHER]; media_set set; } varied_pieces;
+
+/* What is still to be multiplied, by piece: those of one ray in their order. Pieces in media that are even are found side by side, and those
+ * in media that vary, where these are the same. */
+enum { VARIED_SETS = 4 };
 typedef struct dims {
+    const shading *scene;
     light_product *by;           /* by ray */
-    uint32_t count;
-    uint8_t ray[LANES_MAX];
-    media_depths depths;
+    uint32_t count, even;
+    uint8_t ray[LANES_MAX], even_at[LANES_MAX];
+    colour left[LANES_MAX];
+    media_depths depths;         /* of even pieces */
+    varied_pieces varied[VARIED_SETS];
 } dims;
+
+static void begin_dims(dims *d, const shading *scene, light_product *by)
+{
+    d->scene = scene;
+    d->by = by;
+    d->count = d->even = 0;
+    for (uint32_t i = 0; i < VARIED_SETS; i++)
+        d->varied[i].count = 0;
+}
+
+static void find_even(dims *d)
+{
+    const bool all = d->even == d->count;
+    colour left[LANES_MAX];
+
+    media_depths_left(&d->depths, d->even, all ? d->left : left);
+    for (uint32_t i = 0; !all && i < d->even; i++)
+        d->left[d->even_at[i]] = left[i];
+    d->even = 0;
+}
+
+static void find_varied(dims *d, varied_pieces *v)
+{
+    colour left[MEDIA_TOGETHER];
+
+    media_transmittances(d->scene->model, &v->set, v->on, v->count, left);
+    for (uint32_t i = 0; i < v->count; i++)
+        d->left[v->at[i]] = left[i];
+    v->count = 0;
+}
 
 static void take_dims(dims *d)
 {
-    colour left[LANES_MAX];
-
-    media_depths_left(&d->depths, d->count, left);
+    if (d->even > 0)
+        find_even(d);
+    for (uint32_t i = 0; i < VARIED_SETS; i++)
+        if (d->varied[i].count > 0)
+            find_varied(d, &d->varied[i]);
     for (uint32_t i = 0; i < d->count; i++)
-        light_take(&d->by[d->ray[i]], left[i]);
+        light_take(&d->by[d->ray[i]], d->left[i]);
     d->count = 0;
 }
 
-static void dim(const shading *scene, const media_set *set, const pov_ray *ray, double from, double to, uint32_t which, dims *d)
+/* Where pieces in these media are, or may be. */
+static varied_pieces *pieces_in(dims *d, const media_set *set)
 {
-    media_segment s;
+    varied_pieces *out = d->varied;
 
-    if (set->varies) {
-        take_dims(d);
-        s = segment_of(ray, from, to);
-        light_take(&d->by[which], media_transmittance(scene->model, set, &s));
-        return;
+    for (uint32_t i = 0; i < VARIED_SETS; i++) {
+        if (d->varied[i].count > 0 && media_set_same(&d->varied[i].set, set))
+            return &d->varied[i];
+        if (d->varied[i].count < out->count)
+            out = &d->varied[i];
     }
-    d->ray[d->count] = (uint8_t)which;
-    media_depths_put(scene->model, set, length_of(ray, from, to), d->count++, &d->depths);
+    if (out->count > 0)
+        find_varied(d, out);
+    out->set = *set;
+    return out;
+}
+
+static void add_varied(dims *d, const media_set *set, media_segment s)
+{
+    varied_pieces *v = pieces_in(d, set);
+
+    v->at[v->count] = (uint8_t)d->count;
+    v->on[v->count++] = s;
+    if (v->count == MEDIA_TOGETHER)
+        find_varied(d, v);
+}
+
+static void dim(dims *d, const media_set *set, const pov_ray *ray, double from, double to, uint32_t which)
+{
     if (d->count == LANES_MAX)
         take_dims(d);
+    if (set->varies) {
+        add_varied(d, set, segment_of(ray, from, to));
+    } else {
+        d->even_at[d->even] = (uint8_t)d->count;
+        media_depths_put(d->scene->model, set, length_of(ray, from, to), d->even++, &d->depths);
+    }
+    d->ray[d->count++] = (uint8_t)which;
 }
 
 void haze_dim(const shading *scene, interior_walk *around, const pov_ray *const *rays, const occlusion *found, uint64_t which, light_product *by)
 {
     dims d;
 
-    d.by = by;
-    for (d.count = 0; which; which &= which - 1) {
+    begin_dims(&d, scene, by);
+    for (; which; which &= which - 1) {
         const uint32_t i = first_of64(which);
         double before = 0.0;
 
@@ -77,7 +141,7 @@ void haze_dim(const shading *scene, interior_walk *around, const pov_ray *const 
 
             walk_media(scene, &around[i], &set);
             if (set.dims && at->t > before)
-                dim(scene, &set, rays[i], before, at->t, i, &d);
+                dim(&d, &set, rays[i], before, at->t, i);
             walk_over(scene, &around[i], rays[i], at);
             before = at->t;
         }
@@ -148,11 +212,21 @@ static double add_pieces(fogged *f, uint32_t which, interior_walk *w, const pov_
 
 static void dim_by_varied(const shading *scene, const media_set *set, const light_segments *on, const double *to, colour *through)
 {
-    for (uint32_t i = 0; i < on->count; i++) {
-        const media_segment s = segment_of(on->rays[i], 0.0, to[i]);
+    media_segment some[MEDIA_TOGETHER];
+    uint32_t of[MEDIA_TOGETHER], n = 0;
+    colour left[MEDIA_TOGETHER];
 
-        if (to[i] > 0.0)
-            through[i] = colour_mul(through[i], media_transmittance(scene->model, set, &s));
+    for (uint32_t i = 0; i < on->count; i++) {
+        if (to[i] > 0.0) {
+            some[n] = segment_of(on->rays[i], 0.0, to[i]);
+            of[n++] = i;
+        }
+        if (n < MEDIA_TOGETHER && i + 1 < on->count)
+            continue;
+        media_transmittances(scene->model, set, some, n, left);
+        while (n-- > 0)
+            through[of[n]] = colour_mul(through[of[n]], left[n]);
+        n = 0;
     }
 }
 

@@ -162,6 +162,30 @@ static void media_that_only_shine_take_no_light(void **state)
     assert_true(l.through.r < 1.0f && l.given.g == 0.0f);
 }
 
+/* Sets that vary, though their densities here do not: light comes to an end in the second. */
+static void segments_together_leave_what_each_leaves(void **state)
+{
+    const medium thin = grey_medium(0.7f, 0.0f, 0.0f), dense = grey_medium(20.0f, 0.0f, 0.0f);
+    media_segment on[MEDIA_TOGETHER];
+    media_set sets[2] = { set_of(&thin, 1), set_of(&dense, 1) };
+    colour left[MEDIA_TOGETHER];
+    model none;
+    (void)state;
+
+    memset(&none, 0, sizeof none);
+    assert_false(media_set_same(&sets[0], &sets[1]));
+    for (uint32_t i = 0; i < MEDIA_TOGETHER; i++)
+        on[i] = (media_segment){ { 0.0, (double)i, 0.0 }, { 0.6, 0.0, 0.8 }, i == 2 ? 2e10 : 0.5 * (double)i };
+    for (int k = 0; k < 2; k++) {
+        sets[k].varies = true;
+        for (uint32_t n = 0; n <= MEDIA_TOGETHER; n++) {
+            media_transmittances(&none, &sets[k], on, n, left);
+            for (uint32_t i = 0; i < n; i++)
+                assert_true(left[i].g == media_transmittance(&none, &sets[k], &on[i]).g);
+        }
+    }
+}
+
 static void only_so_many_media_act(void **state)
 {
     medium many[MEDIA_SET_MAX + 3];
@@ -435,6 +459,7 @@ int main(void)
         cmocka_unit_test(constant_media_have_closed_forms),
         cmocka_unit_test(thin_media_lose_no_digits),
         cmocka_unit_test(media_that_only_shine_take_no_light),
+        cmocka_unit_test(segments_together_leave_what_each_leaves),
         cmocka_unit_test(only_so_many_media_act),
         cmocka_unit_test(strata_are_split_where_those_beside_them_differ),
         cmocka_unit_test(split_strata_keep_their_points),
