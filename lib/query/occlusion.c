@@ -500,12 +500,12 @@ uint64_t query_occlusion_lanes(const world *w, query_context *k, const lane_rays
     uint64_t dark;
     packet p;
 
-    if (!packet_begin_lanes(&p, w, k, rays, n, tmax))
+    if (rays->enters || !packet_begin_lanes(&p, w, k, rays, n, tmax))
         return query_occlusion(w, k, rays->make(rays->user), n, tmax, out);
     if (p.exact)
         packet_make_rays(&p);
     p.slack = packet_near_end(tmax);
-    p.any_blocks = true;
+    p.any_blocks = !w->plan.coloured_shadows;
     out->crossed = out->near_end = 0;
     dark = packet_end_light(&p, packet_occlusion(&p, w->kernels->any_packet), out);
     return all_of(n) & ~dark;

@@ -44,15 +44,17 @@ typedef struct occlusion {
 /* Bit i: nothing opaque is on ray i's open segment org .. org + tmax dir. Objects of no_shadow do not count. */
 uint64_t query_occlusion(const world *w, query_context *k, const pov_ray *const *rays, uint32_t n, double tmax,
                          occlusion *out);
-/* Rays by lane, of which records are made when something needs them; origin: the surfaces that they start on. */
+/* Rays by lane, of which records are made when something needs them; origin: the surfaces that they start on. enters: some may go into a
+ * closed solid that lets light through, so that records are needed. */
 typedef struct lane_rays {
     bvh_ray_lanes lanes;
     const uint32_t *origin;
     const pov_ray *const *(*make)(void *user);
     void *user;
+    bool enters;
 } lane_rays;
 
-/* The same of n rays by lane, where whatever is there blocks light. */
+/* The same of n rays by lane. */
 uint64_t query_occlusion_lanes(const world *w, query_context *k, const lane_rays *rays, uint32_t n, double tmax, occlusion *out);
 /* The same for one ray, the result of which takes the place of ray `which`: the direction counts in double-double, and so
  * do crossings. A surface at the end itself is not on the segment. */

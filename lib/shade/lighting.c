@@ -103,13 +103,14 @@ static bool is_free(const lighting *l, const light *from)
     return !l->context->scene->plan->shadows || (from->flags & LIGHT_SHADOWLESS);
 }
 
-/* The rays to the light that are not occluded. */
-static uint64_t trace(lighting *l, const scene_light *from, const light_lanes *in, colour *through)
+/* The rays to the light that are not occluded. filtered: some light may have been. */
+static uint64_t trace(lighting *l, const scene_light *from, const light_lanes *in, colour *through, bool *filtered)
 {
     const light_origin origin = light_own_origin(from->light);
 
     if (shadow_is_by_lane(l, from))
-        return shadow_trace_lanes(l, shadow_end(from, in, &origin, false));
+        return shadow_trace_lanes(l, shadow_end(from, in, &origin, false), through, filtered);
+    *filtered = !shadow_is_white(l, from);
     lighting_put_rays(l);
     return from->grid ? area_trace(l, from, in, through)
                       : shadow_trace(l, from->light, shadow_end(from, in, &origin, false), through);
@@ -119,13 +120,14 @@ static void add_visible(lighting *l, const scene_light *from, const light_sample
 {
     const uint32_t n = lanes_whole(l->on->count);
     colour through[BATCH_MAX];
+    bool filtered = false;
     uint64_t rays;
 
     l->dir = &in->dir;
     if (is_free(l, from->light) && from->light->through_count > 0)
         shadow_keep_crossing(l, from->light, in->tmax);
-    rays = is_free(l, from->light) ? lane_mask_all(l->count) : trace(l, from, in, through);
-    if (is_free(l, from->light) || shadow_is_white(l, from)) {
+    rays = is_free(l, from->light) ? lane_mask_all(l->count) : trace(l, from, in, through, &filtered);
+    if (!filtered) {
         add_lanes(s, lanes_of(l, rays), n, &l->on->lit);
         return;
     }
@@ -362,7 +364,9 @@ typedef struct known_rays { uint64_t asked, open; bool white; colour_lanes throu
 /* Ask the rays from these surfaces, but for those that were asked. */
 static void ask(lighting *l, const scene_light *from, const light_lanes *in, uint64_t lanes, known_rays *known)
 {
+    const colour white = colour_of(1.0f, 1.0f, 1.0f);
     colour through[BATCH_MAX];
+    bool filtered = false;
     uint64_t rays;
 
     l->which = lanes & ~known->asked;
@@ -370,10 +374,10 @@ static void ask(lighting *l, const scene_light *from, const light_lanes *in, uin
     known->asked |= lanes;
     if (l->count == 0)
         return;
-    rays = trace(l, from, in, through);
+    rays = trace(l, from, in, through, &filtered);
     known->open |= lanes_of(l, rays);
     for (; rays && !known->white; rays &= rays - 1)
-        colour_lane_put(&known->through, l->of[first_of64(rays)], through[first_of64(rays)]);
+        colour_lane_put(&known->through, l->of[first_of64(rays)], filtered ? through[first_of64(rays)] : white);
 }
 
 /* Add what a layer reflects of light that is left. */

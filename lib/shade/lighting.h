@@ -19,6 +19,7 @@ typedef struct lighting {
     bool apart;                  /* what is known of the sides that rays go to is in `own` alone */
     uint32_t origin[BATCH_MAX], excluded[BATCH_MAX];
     uint32_t away[BATCH_MAX];    /* bits of the sides to which rays leave the surface's object */
+    uint32_t closed[BATCH_MAX];  /* other than 0: the surface is of a closed shape */
     SIMD_ALIGNED int64_t side[BATCH_MAX];
     uint64_t which;              /* lanes of their origin surfaces */
     uint8_t of[BATCH_MAX];       /* the same, in order */

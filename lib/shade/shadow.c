@@ -80,18 +80,18 @@ static uint64_t trace(const lighting *l, segment_end end, colour *through)
 
 /* ---- by lane ---- */
 
+/* Do rays to one point tell what is left of the light? */
+static bool is_plain(const lighting *l, const scene_light *from)
+{
+    return !from->grid && from->light->through_count == 0 && !(from->light->flags & LIGHT_ATTENUATED) && l->context->coincident_sets.count == 0;
+}
+
 bool shadow_is_white(const lighting *l, const scene_light *from)
 {
-    const shade_context *c = l->context;
-
-    return !from->grid && from->light->through_count == 0 && !(from->light->flags & LIGHT_ATTENUATED) && c->coincident_sets.count == 0 &&
-           !c->scene->plan->coloured_shadows;
+    return is_plain(l, from) && !l->context->scene->plan->coloured_shadows;
 }
 
-bool shadow_is_by_lane(const lighting *l, const scene_light *from)
-{
-    return !l->apart && !l->on->shared && shadow_is_white(l, from);
-}
+bool shadow_is_by_lane(const lighting *l, const scene_light *from) { return !l->apart && !l->on->shared && is_plain(l, from); }
 
 /* Which side of their surfaces directions go to: to that of the normal, the other, or neither, as in world_origin_aim(). */
 enum { SIDE_NEITHER, SIDE_UP, SIDE_DOWN };
@@ -106,6 +106,7 @@ static void name_lanes(lighting *l)
         l->origin[i] = h->object;
         l->away[i] = h->crossing.mark.flags & POV_MARK_OUTWARD ? ~0u : away;
         l->excluded[i] = l->away[i] >> SIDE_UP & 1 ? h->object : POV_NO_OWNER;
+        l->closed[i] = h->crossing.mark.flags & POV_MARK_CLOSED;
     }
     l->named = true;
 }
@@ -118,6 +119,16 @@ SIMD_CLONES static void exclude_by_side(const uint32_t *restrict origin, const u
         out[i] = away[i] >> (uint32_t)side[i] & 1 ? origin[i] : POV_NO_OWNER;
 }
 
+/* Does a ray from one of n lanes go into a closed solid? */
+SIMD_CLONES static bool any_enters(const uint32_t *restrict closed, const uint32_t *restrict excluded, uint32_t n)
+{
+    uint32_t any = 0;
+
+    for (uint32_t i = 0; i < n; i++)
+        any |= excluded[i] == POV_NO_OWNER ? closed[i] : 0;
+    return any != 0;
+}
+
 static const pov_ray *const *make_rays(void *user)
 {
     lighting *l = user;
@@ -126,17 +137,21 @@ static const pov_ray *const *make_rays(void *user)
     return l->rays;
 }
 
-uint64_t shadow_trace_lanes(lighting *l, segment_end end)
+uint64_t shadow_trace_lanes(lighting *l, segment_end end, colour *through, bool *filtered)
 {
+    const path *from[BATCH_MAX];
     const incidence *at = &l->on->geometry.to;
     const uint8_t *of = l->count < l->on->count ? l->of : NULL;
-    const lane_rays rays = { { &at->point, &at->point_lo, l->dir, l->excluded, l->which, of }, l->origin, make_rays, l };
+    lane_rays rays = { { &at->point, &at->point_lo, l->dir, l->excluded, l->which, of }, l->origin, make_rays, l, false };
 
     name_lanes(l);
     if (l->sided)
         exclude_by_side(l->origin, l->away, l->side, lanes_whole(l->on->count), l->excluded);
+    rays.enters = l->context->scene->plan->coloured_shadows && any_enters(l->closed, l->excluded, l->on->count);
     l->context->counts.shadow += l->count;
-    return transmittance_find_lanes(l->context, &rays, l->count, end);
+    for (uint32_t i = 0; l->context->scene->plan->located && i < l->count; i++)
+        from[i] = l->on->at[l->of[i]].from;
+    return transmittance_find_lanes(l->context, &rays, from, l->count, end, through, filtered);
 }
 
 /* ---- through other objects, and in the air ---- */

@@ -11,7 +11,8 @@ uint64_t shadow_trace(lighting *l, const light *from, segment_end end, colour *t
 bool shadow_is_white(const lighting *l, const scene_light *from);
 /* Can the rays to such a light be asked for by lane, so that records of them are made only where something needs them? */
 bool shadow_is_by_lane(const lighting *l, const scene_light *from);
-uint64_t shadow_trace_lanes(lighting *l, segment_end end);
+/* filtered: some of the light is, and `through` says how much of each ray's is left. */
+uint64_t shadow_trace_lanes(lighting *l, segment_end end, colour *through, bool *filtered);
 /* Of the rays to one point of a light those that cross what it is projected through: all that hides a light without shadows.
  * `rays` is not kept. */
 void shadow_keep_crossing(lighting *l, const light *from, double tmax);

@@ -128,38 +128,49 @@ static uint64_t filter_plainly(const shading *scene, const occlusion *found, uin
     return lit;
 }
 
-uint64_t transmittance_find(const shade_context *c, const pov_ray *const *rays, const path *const *from, uint32_t n,
-                            segment_end end, colour *through)
+/* What the crossings of lit rays leave of their light. */
+static uint64_t filter_found(const shade_context *c, const pov_ray *const *rays, const path *const *from, uint32_t n, uint64_t lit,
+                             const occlusion *found, colour *through)
 {
     interior_walk around[BATCH_MAX];
-    occlusion found;
-    uint64_t lit = query_occlusion(c->scene->world, c->context, rays, n, end.tmax, &found), blocked = 0;
+    uint64_t blocked = 0;
 
-    if (found.near_end)
-        lit = find_exactly(c, rays, end, lit, &found);
     for (uint32_t i = 0; i < n; i++)
         through[i] = colour_of(1.0f, 1.0f, 1.0f);
     if (!c->scene->plan->located && !c->scene->plan->textures && !c->blocks)
-        return filter_plainly(c->scene, &found, lit, through);
-    for (uint64_t rest = found.crossed; rest; rest &= rest - 1) {
+        return filter_plainly(c->scene, found, lit, through);
+    for (uint64_t rest = found->crossed; rest; rest &= rest - 1) {
         const uint32_t i = first_of64(rest);
 
         if (c->scene->plan->located)
             walk_begin(c, from[i], &around[i]);
-        if (c->blocks && photons_block(c, rays[i], found.at[i], found.count[i]))
+        if (c->blocks && photons_block(c, rays[i], found->at[i], found->count[i]))
             blocked |= (uint64_t)1 << i;
     }
-    return (lit & ~found.crossed) | (lit & cross(c->scene, around, rays, &found, found.crossed & ~blocked, through));
+    return (lit & ~found->crossed) | (lit & cross(c->scene, around, rays, found, found->crossed & ~blocked, through));
 }
 
-uint64_t transmittance_find_lanes(const shade_context *c, const lane_rays *rays, uint32_t n, segment_end end)
+uint64_t transmittance_find(const shade_context *c, const pov_ray *const *rays, const path *const *from, uint32_t n,
+                            segment_end end, colour *through)
+{
+    occlusion found;
+    uint64_t lit = query_occlusion(c->scene->world, c->context, rays, n, end.tmax, &found);
+
+    if (found.near_end)
+        lit = find_exactly(c, rays, end, lit, &found);
+    return filter_found(c, rays, from, n, lit, &found, through);
+}
+
+uint64_t transmittance_find_lanes(const shade_context *c, const lane_rays *rays, const path *const *from, uint32_t n, segment_end end,
+                                  colour *through, bool *filtered)
 {
     occlusion found;
     uint64_t lit = query_occlusion_lanes(c->scene->world, c->context, rays, n, end.tmax, &found);
 
     if (found.near_end)
         lit = find_exactly(c, rays->make(rays->user), end, lit, &found);
-    return lit;
+    *filtered = found.crossed != 0;
+    return *filtered ? filter_found(c, rays->make(rays->user), from, n, lit, &found, through) : lit;
 }
 
 bool transmittance_from(const shade_context *c, const coincident_set *on, const pov_ray *ray, const path *from,

@@ -21,8 +21,9 @@ static inline segment_end segment_end_of(segment_end ends, uint32_t i)
  * media around them are there too. It is used in scenes with media only, and may be NULL in others. */
 uint64_t transmittance_find(const shade_context *c, const pov_ray *const *rays, const path *const *from, uint32_t n,
                             segment_end end, colour *through);
-/* Bit i: the segment of the ray of lane i is open, where whatever is there blocks light. */
-uint64_t transmittance_find_lanes(const shade_context *c, const lane_rays *rays, uint32_t n, segment_end end);
+/* The same of rays by lane. filtered: `through` is written, as some light is filtered; else all of it is left where something is. */
+uint64_t transmittance_find_lanes(const shade_context *c, const lane_rays *rays, const path *const *from, uint32_t n, segment_end end,
+                                  colour *through, bool *filtered);
 /* The same of a ray that starts on coincident surfaces. */
 bool transmittance_from(const shade_context *c, const coincident_set *on, const pov_ray *ray, const path *from,
                         segment_end end, colour *through);

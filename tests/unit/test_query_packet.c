@@ -115,36 +115,58 @@ static void same_light(subject *s, const pov_ray *const *rays, uint32_t n, doubl
 
 static const pov_ray *const *make_known(void *user) { return user; }
 
-/* Light by lane is that of records, where whatever is there blocks it: of all lanes, and of two of three. */
+/* Asks rays by lane and as records. */
+static void same_lanes(subject *s, const lane_rays *lanes, const pov_ray *const *rays, uint32_t n, double tmax)
+{
+    uint32_t owners[WORLD_MANY][TEST_CROSSINGS], counts[WORLD_MANY];
+    occlusion records, by_lane;
+    const uint64_t open = query_occlusion(s->world, s->context, rays, n, tmax, &records);
+
+    for (uint32_t i = 0; i < n; i++) {
+        counts[i] = records.crossed >> i & 1 ? records.count[i] : 0;
+        for (uint32_t k = 0; k < counts[i] && k < TEST_CROSSINGS; k++)
+            owners[i][k] = records.at[i][k].owner;
+    }
+    assert_true(open == query_occlusion_lanes(s->world, s->context, lanes, n, tmax, &by_lane));
+    assert_true(records.near_end == by_lane.near_end);
+    assert_true(records.crossed == by_lane.crossed);
+    for (uint32_t i = 0; i < n; i++) {
+        if (!(by_lane.crossed >> i & 1))
+            continue;
+        assert_int_equal(counts[i], by_lane.count[i]);
+        for (uint32_t k = 0; k < counts[i] && k < TEST_CROSSINGS; k++)
+            assert_int_equal(owners[i][k], by_lane.at[i][k].owner);
+    }
+}
+
+/* Light by lane is that of records: of all lanes, and of two of three. */
 static void same_by_lane(subject *s, const pov_ray **rays, uint32_t n, double tmax)
 {
     uint32_t starts[WORLD_MANY], excluded[WORLD_MANY], count = 0;
     const pov_ray *some[WORLD_MANY];
     uint8_t of[WORLD_MANY];
     vec_lanes org, org_lo, dir;
-    lane_rays lanes = { { &org, &org_lo, &dir, excluded, 0, NULL }, starts, make_known, rays };
-    occlusion records, by_lane;
+    lane_rays lanes = { { &org, &org_lo, &dir, excluded, 0, NULL }, starts, make_known, rays, false };
 
     for (uint32_t i = 0; i < n; i++) {
+        const uint32_t flags = rays[i]->origin_mark.flags;
+
         lanes_put(&org, i, rays[i]->org);
         lanes_put(&org_lo, i, rays[i]->org_lo);
         lanes_put(&dir, i, rays[i]->dir);
         starts[i] = rays[i]->origin_surface;
-        excluded[i] = rays[i]->origin_mark.flags & POV_MARK_OUTWARD ? starts[i] : POV_NO_OWNER;
+        excluded[i] = flags & POV_MARK_OUTWARD ? starts[i] : POV_NO_OWNER;
+        lanes.enters |= s->world->plan.coloured_shadows && !(flags & POV_MARK_OUTWARD) && (flags & POV_MARK_CLOSED);
         if (i % 3 == 1)
             continue;
         some[count] = rays[i];
         of[count++] = (uint8_t)i;
         lanes.lanes.which |= (uint64_t)1 << i;
     }
-    assert_true(query_occlusion(s->world, s->context, rays, n, tmax, &records) ==
-                query_occlusion_lanes(s->world, s->context, &lanes, n, tmax, &by_lane));
-    assert_true(records.near_end == by_lane.near_end);
+    same_lanes(s, &lanes, rays, n, tmax);
     lanes.lanes.of = of;
     lanes.user = some;
-    assert_true(query_occlusion(s->world, s->context, some, count, tmax, &records) ==
-                query_occlusion_lanes(s->world, s->context, &lanes, count, tmax, &by_lane));
-    assert_true(records.near_end == by_lane.near_end);
+    same_lanes(s, &lanes, some, count, tmax);
 }
 
 /* What a ray knows of the side that it goes to saves questions and changes no answer. */
@@ -244,8 +266,7 @@ static int same_packet(subject *s, const pov_ray *rays, uint32_t n, pov_vec3 lam
         if (lit > 0) {
             same_nearest(s, lights, lit, hits);
             same_light(s, lights, lit, 1.0);
-            if (!s->world->plan.coloured_shadows)
-                same_by_lane(s, lights, lit, 1.0);
+            same_by_lane(s, lights, lit, 1.0);
             same_unnamed(s, lights, lit);
         }
     }
