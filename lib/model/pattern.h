@@ -20,6 +20,7 @@ typedef struct pattern {
     bool uv;                     /* points are the surface's uv coordinates instead; what moves it later leaves them */
     bool uv_turns;               /* bumps on them turn with the object and with what moves it later: it was said of a whole
                                   * texture */
+    bool inner_uv;               /* points of the pigment that it asks, or of a part of that, are those coordinates */
     uint32_t map;                /* number in the model's map table of the transformations behind the last warp. It and the
                                   * next are last: they are set when the pattern is first used */
     uint32_t turn;               /* the same for normals, where those of points do not have it all; or 0 */

@@ -78,9 +78,9 @@ bool texture_has_normals(const texture *of)
 
 /* ---- uv ---- */
 
-static bool pattern_has_uv(const pattern *p) { return p && p->uv; }
+static bool pattern_has_uv(const pattern *p) { return p && (p->uv || p->inner_uv); }
 
-static bool pigment_has_uv(const pigment_node *of)
+bool pigment_has_uv(const pigment_node *of)
 {
     bool has = pattern_has_uv(of->pattern);
 

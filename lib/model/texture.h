@@ -72,6 +72,7 @@ pigment pigment_most(pigment a, pigment b);
 /* Pigment and finish of all that the texture consists of: components are the largest of all. */
 void texture_bounds(const texture *of, pigment *most, finish *all);
 /* Does any part of it ask for the surface's uv coordinates? */
+bool pigment_has_uv(const pigment_node *of);
 bool texture_has_uv(const texture *of);
 /* Does any part of it perturb normals? */
 bool texture_has_normals(const texture *of);

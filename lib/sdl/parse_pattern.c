@@ -196,6 +196,7 @@ void parse_pattern_class(pov_reader *in, pattern_reading *r, const pattern_class
     if (class->count > 0 || class->flags & PATTERN_UNFOLDED || class->colours)
         r->parsed.pattern.wave.frequency = 0.0f;   /* numbers of members are not folded */
     read_class(in, r);
+    r->parsed.pattern.inner_uv = !in->failed && class->inner && pigment_has_uv(class->inner(r->self.bytes));
 }
 
 void parse_pattern_init(symbols *words)

@@ -57,7 +57,7 @@ const pattern_class pattern_object = {
 
 /* ---- pigment_pattern ---- */
 
-/* What is clear beyond an image that does not repeat has no brightness. */
+/* What is clear beyond an image that does not repeat has no brightness; on uv coordinates it is white, as measured. */
 static void find_edges(const pattern_input *in, const pattern *of, const texture_points *points, double *value)
 {
     image_place places[LANES_MAX];
@@ -72,6 +72,7 @@ static void find_edges(const pattern_input *in, const pattern *of, const texture
 static void evaluate_pigment(const pattern_input *in, double *value)
 {
     const pigment_pattern *self = in->of->self;
+    const pattern *own = self->pigment->pattern;
     pigment pigments[LANES_MAX];
     texture_points points;
 
@@ -82,8 +83,8 @@ static void evaluate_pigment(const pattern_input *in, double *value)
 
         value[i] = 0.297 * (double)c.r + 0.589 * (double)c.g + 0.114 * (double)c.b;
     }
-    if (self->pigment->pattern && self->pigment->pattern->class == &pattern_image_map)
-        find_edges(in, self->pigment->pattern, &points, value);
+    if (own && own->class == &pattern_image_map && !own->uv)
+        find_edges(in, own, &points, value);
 }
 
 static const pigment_node *pigment_of(const void *self) { return ((const pigment_pattern *)self)->pigment; }

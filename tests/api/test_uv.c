@@ -42,6 +42,15 @@ static void it_counts_for_a_pigment_a_texture_and_a_material(void **state)
     assert_true(are_alike("uv_mapping material { texture { pigment { " CHECKS " } } }", upon_pigment));
 }
 
+static void it_counts_for_a_pigment_that_a_pattern_asks(void **state)
+{
+    static const char outside[] = "pigment { uv_mapping pigment_pattern { " CHECKS " } color_map { [0 rgb x] [1 rgb y] } }";
+
+    (void)state;
+    assert_true(are_alike("pigment { pigment_pattern { uv_mapping " CHECKS " } color_map { [0 rgb x] [1 rgb y] } }", outside));
+    assert_true(are_alike("pigment { pigment_pattern { average pigment_map { [1 uv_mapping " CHECKS "] } } color_map { [0 rgb x] [1 rgb y] } }", outside));
+}
+
 static void it_counts_for_every_layer(void **state)
 {
     (void)state;
@@ -156,6 +165,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(v_of_an_ovus_is_an_angle_and_a_large_top_is_a_sphere),
         cmocka_unit_test(it_counts_for_a_pigment_a_texture_and_a_material),
+        cmocka_unit_test(it_counts_for_a_pigment_that_a_pattern_asks),
         cmocka_unit_test(it_counts_for_every_layer),
         cmocka_unit_test(it_counts_for_all_that_is_in_an_object),
         cmocka_unit_test(an_interior_texture_stays_where_what_is_before_it_moved_the_mesh),
