@@ -256,7 +256,7 @@ SIMD_CLONES static bool move_across(double size, const vec_lanes *restrict to, c
         const pov_vec3 a = pov_vec3_of(right.x / by, right.y / by, right.z / by), b = pov_cross_product(d, a);
 
         lanes_put(move, i, pov_add(pov_scale(pov_scale(a, size), u[i]), pov_scale(pov_scale(b, size), v[i])));
-        in_range &= (square > 1e-238) & (square < 1e238) ? -1 : 0;
+        in_range &= ((square > 1e-238) & (square < 1e238)) ? -1 : 0;
     }
     return in_range != 0;
 }

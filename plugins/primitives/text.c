@@ -352,7 +352,7 @@ COMMON_CLONES static uint32_t reached(const glyph_boxes *restrict b, const commo
     clip(f.z, d.z, b->lo[2], b->hi[2], margin, in, out);
     COMMON_LOOP
     for (uint32_t i = 0; i < SIDE; i++)
-        bits |= (in[i] <= out[i]) & (out[i] >= 0.0) & (in[i] * unit <= tmax) ? bit[i] : 0;
+        bits |= ((in[i] <= out[i]) & (out[i] >= 0.0) & (in[i] * unit <= tmax)) ? bit[i] : 0;
     return (uint32_t)bits;
 }
 
