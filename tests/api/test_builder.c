@@ -268,7 +268,7 @@ static void missing_arguments_are_refused(void **state)
 static pov_error error_of(pov_builder *b)
 {
     pov_scene *scene;
-    pov_error err = { POV_OK };
+    pov_error err = { .status = POV_OK };
 
     assert_true(pov_scene_load_builder(&scene, b, NULL, &err) < 0);
     assert_null(scene);

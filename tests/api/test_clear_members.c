@@ -40,8 +40,8 @@ static void assert_left_out(const char *object)
 static void what_is_clear_cuts_unseen(void **state)
 {
     static const char *const objects[] = {
-        "intersection { poly { 4, <1,0,0,0,2,0,0,2,0,-1.3, 0,0,0,0,0,0,0,0,0,0, 1,0,0,2,0,.3,0,0,0,0, 1,0,-1.3,0,.2> } "
-        "sphere { 0, 1 material { Clear } } }",
+        ("intersection { poly { 4, <1,0,0,0,2,0,0,2,0,-1.3, 0,0,0,0,0,0,0,0,0,0, 1,0,0,2,0,.3,0,0,0,0, 1,0,-1.3,0,.2> } "
+         "sphere { 0, 1 material { Clear } } }"),
         "difference { box { -.8, .8 } sphere { <.8,.8,-.8>, 1 material { Clear } } cylinder { -y, y, .3 material { Clear } } }",
         "difference { sphere { 0, 1 material { Clear } } torus { .6, .35 rotate 60*x } }",
         "merge { sphere { 0, .7 material { Clear } } box { -.4, <1,.5,.6> } }",

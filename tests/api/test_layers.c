@@ -82,8 +82,8 @@ static void layers_of_one_hit_are_lit_together(void **state)
         "} sphere { <1, 0, -1>, .3 texture { pigment { rgbt <1, .5, .2, .3> } } texture { pigment { rgbt .8 } finish { specular 1 } }",
         "} light_source { <2, 9, 1> rgb .3 area_light x, z, 4, 4 } light_source { <9, 1, 1> rgb .3 shadowless",
         "} box { <-1.5, -1, -1>, <-.9, .2, -.5> pigment { bozo } normal { bumps } } sphere { <1, -.5, -1>, .4 pigment { rgb .5 }",
-        "} smooth_triangle { <-1, 0, -1.5>, <-1, 0, -1>, <1, 0, -1.5>, <1, 0, -1>, <0, 1, -1.5>, <0, 1, -1>\n"
-        "texture { pigment { rgb .5 } finish { phong .5 } } texture { pigment { rgbt <1, 0, 0, .5> } finish { reflection .3 } }",
+        ("} smooth_triangle { <-1, 0, -1.5>, <-1, 0, -1>, <1, 0, -1.5>, <1, 0, -1>, <0, 1, -1.5>, <0, 1, -1>\n"
+         "texture { pigment { rgb .5 } finish { phong .5 } } texture { pigment { rgbt <1, 0, 0, .5> } finish { reflection .3 } }"),
     };
     const char *glazed[3] = { "finish { specular .4 diffuse .6 }", "finish { phong .7 reflection .1 brilliance 2 }", "" };
     const char *mirrors[3] = { "finish { reflection .2 }", "finish { reflection .1 metallic }", "finish { reflection .1 diffuse .3 }" };
