@@ -31,31 +31,31 @@ SIMD_INLINE double nearest(double in, double out, double start)
 }
 
 /* How much farther from each other, and from the start, are the ends of a column than what is near? Ends that are not there tell nothing.
- * apart: if not 0, those near the start tell nothing either. */
-SIMD_INLINE double clearance(const csg_near_rays *restrict of, uint32_t c, uint32_t i, double apart, bool endless)
+ * aside: if not 0, those near the start tell nothing either. */
+SIMD_INLINE double clearance(const csg_near_rays *restrict of, uint32_t c, uint32_t i, double aside, bool endless)
 {
     const double in = of->in[c][i], out = of->out[c][i], start = of->of[CSG_NEAR_START][i], between = fabs(in - out);
-    const double at_start = apart > 0.0 ? HUGE_VAL : csg_lesser(fabs(in - start), fabs(out - start));
+    const double at_start = aside > 0.0 ? HUGE_VAL : csg_lesser(fabs(in - start), fabs(out - start));
 
     if (!endless)
         return csg_lesser(between, at_start) - margin;
     return csg_lesser(between - csg_lanes_near(of, i, csg_lesser(fabs(in), fabs(out)), true), at_start - csg_lanes_near(of, i, start, true));
 }
 
-/* apart: NULL is as 0 everywhere. */
-SIMD_INLINE void find_clearance(uint32_t columns, const csg_near_rays *restrict of, const double *apart, bool endless,
+/* aside: NULL is as 0 everywhere. */
+SIMD_INLINE void find_clearance(uint32_t columns, const csg_near_rays *restrict of, const double *aside, bool endless,
                                 double *restrict least)
 {
     SIMD_LOOP for (uint32_t i = 0; i < CSG_TOGETHER; i++)
         least[i] = HUGE_VAL;
     for (uint32_t c = 0; c < columns; c++)
         SIMD_LOOP for (uint32_t i = 0; i < CSG_TOGETHER; i++)
-            least[i] = csg_lesser(clearance(of, c, i, apart ? apart[i] : 0.0, endless), least[i]);
+            least[i] = csg_lesser(clearance(of, c, i, aside ? aside[i] : 0.0, endless), least[i]);
 }
 
 /* Where rays start certainly outside of a column that the tree is within, what they cross at the start does not show, such as the plane of a
  * floor that a solid stands on. */
-SIMD_INLINE void find_apart(uint32_t within, const csg_near_rays *restrict of, bool endless, double *restrict apart)
+SIMD_INLINE void find_aside(uint32_t within, const csg_near_rays *restrict of, bool endless, double *restrict aside)
 {
     for (; within; within &= within - 1) {
         const uint32_t c = first_of(within);
@@ -64,7 +64,7 @@ SIMD_INLINE void find_apart(uint32_t within, const csg_near_rays *restrict of, b
             const double start = of->of[CSG_NEAR_START][i], near = 2.0 * csg_lanes_near(of, i, start, endless);
             const double beside = csg_greater(of->in[c][i] - start, start - of->out[c][i]);
 
-            apart[i] = beside > near ? 1.0 : apart[i];
+            aside[i] = beside > near ? 1.0 : aside[i];
         }
     }
 }
@@ -89,11 +89,11 @@ SIMD_INLINE void leave_column(uint32_t c, const double *restrict from, csg_near_
 SIMD_CLONES SIMD_NOINLINE static void leave_by_name(const csg_tree *t, const pov_rays *restrict rays, const double *restrict least,
                                                     csg_near_rays *restrict io, bool endless)
 {
-    SIMD_ALIGNED csg_lane from, left, apart;
+    SIMD_ALIGNED csg_lane from, left, aside;
     uint32_t columns = 0;
 
     for (uint32_t i = 0; i < CSG_TOGETHER; i++) {
-        apart[i] = 0.0;
+        aside[i] = 0.0;
         const uint32_t c = least[i] > 0.0 ? CSG_COLUMNS : csg_lanes_column(t, rays->rays[io->ray[i]]->origin_surface);
 
         from[i] = c;
@@ -101,8 +101,8 @@ SIMD_CLONES SIMD_NOINLINE static void leave_by_name(const csg_tree *t, const pov
     }
     for (columns &= (1u << CSG_COLUMNS) - 1; columns; columns &= columns - 1)
         leave_column(first_of(columns), from, io, endless);
-    find_apart(csg_lanes_within(t), io, endless, apart);
-    find_clearance(t->outline->count, io, apart, endless, left);
+    find_aside(csg_lanes_within(t), io, endless, aside);
+    find_clearance(t->outline->count, io, aside, endless, left);
     SIMD_LOOP for (uint32_t i = 0; i < CSG_TOGETHER; i++)
         io->of[CSG_NEAR_OPEN][i] = left[i] > 0.0 ? io->of[CSG_NEAR_OPEN][i] : 1.0;
 }
