@@ -28,6 +28,7 @@ PACKAGES = {'ase': ['ase', 'scikit-image'], 'vapory': ['vapory'], 'pymol': ['pym
             'pypdb2pov': ['pypdb2pov']}
 INSTALL_LIMIT, DRAW_LIMIT = 300, 1200   # seconds, of a busy machine
 MARK = '<!-- programs -->'   # of corpus.py too, which leaves what stands behind it
+CAUSES = {'graphviz': "Graphviz's mist lies behind transparent polygons too, and not in POV-Ray (language.md, fog)."}   # why scenes differ
 RENDERING = ('ase', 'vapory', 'pymol', 'fdray', 'plato', 'povplot')
 
 
@@ -119,14 +120,16 @@ def table(rows):
         numbers = ''.join(f' {of(values):.1f} |' if values else ' |'
                           for of, values in ((statistics.median, whole), (statistics.median, trace), (min, trace)))
         lines.append(f'| {name} | {len(some)} | {len(match)} |{numbers}')
-    differs = ', '.join(row['scene'] for row in rows if row['verdict'] != 'matches')
-    return '\n'.join(lines) + '\n\n' + (f'These do not match: {differs}.\n' if differs else 'All match.\n')
+    differs = [row['scene'] for row in rows if row['verdict'] != 'matches']
+    causes = [CAUSES[name] for name in sorted({scene.split('_')[0] for scene in differs}) if name in CAUSES]
+    said = ' '.join([f'These do not match: {", ".join(differs)}.', *causes]) if differs else 'All match.'
+    return '\n'.join(lines) + f'\n\n{said}\n'
 
 
 def write_section(rows, path):
     """The part of docs/corpus.md that starts at the mark."""
     rest = path.read_text().partition(MARK)[0] if path.exists() else ''
-    path.write_text(f'{rest}{MARK}\n## Scenes as programs write them\n\n'
+    path.write_text(f'{rest.rstrip()}\n\n{MARK}\n## Scenes as programs write them\n\n'
                     '`make programs PROGRAMS_FLAGS="--page docs/corpus.md"` installs the programs where it can, has them write their scenes and '
                     'writes this table. Pictures are as above. POV-Ray takes so many times as long as povc, in the median of a '
                     'program\'s scenes that match (wall time of whole processes; processor time of tracing):\n\n' + table(rows))
