@@ -226,7 +226,7 @@ END
     says_not calls "cmocka"
     rm calls
     printf '#!/bin/sh\nexit 0\n' > tools/pkg-config
-    PATH=$PWD/tools:$PATH CI= CC=sh CXX=sh PYTHON=sh PKG_CONFIG=pkg-config expect 0 "$root/.ci/deps" test
+    PATH=$PWD/tools:$PATH CI= CC='env sh' CXX='env -i sh' PYTHON=sh PKG_CONFIG=pkg-config expect 0 "$root/.ci/deps" test
     [ ! -e calls ]
     [ ! -s out ]
 }
