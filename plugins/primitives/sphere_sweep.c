@@ -364,13 +364,21 @@ static bool misses_piece(const piece *p, const common_ray *k)
     return r * r * dd - pov_dot(a, a) < -off && r * q * dd - pov_dot(a, b) < -off && q * q * dd - pov_dot(b, b) < -off;
 }
 
-static bool misses(const sweep *s, const common_ray *k)
+/* The first piece that the line may pass; their number if there is none. Only linear ones tell. */
+static uint32_t first_piece(const sweep *s, const common_ray *k)
 {
     uint32_t i = 0;
 
     while (s->degree == 1 && i < s->count && misses_piece(&s->at[i], k))
         i++;
-    return i == s->count;
+    return i;
+}
+
+static bool may_hit(const sweep *s, uint32_t i, const common_ray *k)
+{
+    common_span own;
+
+    return s->degree == 1 ? !misses_piece(&s->at[i], k) : common_clip(k, s->at[i].lo, s->at[i].hi, &own);
 }
 
 static void intersect(const void *self, const pov_ray *ray, pov_hits *hits)
@@ -379,11 +387,12 @@ static void intersect(const void *self, const pov_ray *ray, pov_hits *hits)
     const common_ray k = common_enter(ray, s->anchor, s->scale);
     const bool from_here = ray->origin_surface == hits->owner;
     interval *at = hits->scratch, found[STRETCHES];
-    common_span span, own;
+    const uint32_t first = first_piece(s, &k);
+    common_span span;
     uint32_t count = 0;
     line n;
 
-    if (misses(s, &k) || !common_clip(&k, s->lo, s->hi, &span) || span.hi < 0.0 || span.lo * k.unit > hits->tmax)
+    if (first == s->count || !common_clip(&k, s->lo, s->hi, &span) || span.hi < 0.0 || span.lo * k.unit > hits->tmax)
         return;
     n.k = &k;
     n.flags = s->count == 1 && s->degree == 1 ? POV_MARK_CLOSED : 0;   /* it is the convex hull of two spheres */
@@ -391,9 +400,9 @@ static void intersect(const void *self, const pov_ray *ray, pov_hits *hits)
     n.unit = 1.0 / sqrt(pov_dot(k.d, k.d));
     n.o = common_along(&k, n.base);
     n.d = pov_scale(k.d, n.unit);
-    for (uint32_t i = 0; i < s->count; i++) {
-        const bool may_hit = s->count == 1 || (s->degree == 1 ? !misses_piece(&s->at[i], &k) : common_clip(&k, s->at[i].lo, s->at[i].hi, &own));
-        const uint32_t more = may_hit ? find_intervals(&n, s, i, found) : 0;
+    for (uint32_t i = first; i < s->count; i++) {
+        const bool is_told = i == first && (s->degree == 1 || s->count == 1);
+        const uint32_t more = is_told || may_hit(s, i, &k) ? find_intervals(&n, s, i, found) : 0;
 
         for (uint32_t j = 0; j < more; j++)
             count = unite(at, count, found[j]);

@@ -131,6 +131,9 @@ static const struct { const char *keyword, *text; } texts[] = {
     { "quartic", "<0.3, 0, 0.2, 0, 1, 0, 0, -1, 0, 0.4, 0, 0.7, 0, 0, 0, 0, 0, 0, -0.6, 0, 0, 0, 1, 0, 0, 0.1, 0, 0, 0, 0, -0.5, 0, 0.2, 0, 0.1>" },
     { "polynomial", "6, xyz(6, 0, 0): 1, xyz(2, 4, 0): 3 xyz(0, 6, 0): 1 xyz(0, 0, 6): 2 xyz(1, 1, 1): -1 xyz(0, 0, 0): -0.5" },
     { "polynomial", "9, xyz(9, 0, 0): 1, xyz(0, 5, 1): -3 xyz(0, 0, 4): 1 xyz(1, 2, 1): 2 xyz(0, 1, 0): 0.7 xyz(0, 0, 0): -0.2" },
+    /* Convex: its marks say so. The second is one of its spheres. */
+    { "sphere_sweep", "linear_spline 2, <-1, 0, 0.3>, 0.5, <1, 0.5, 0>, 0.2" },
+    { "sphere_sweep", "linear_spline 2, <0, 0, 0>, 1, <0.3, 0.1, 0>, 0.2" },
     { "sphere_sweep", "linear_spline 3, <0, 0, 0>, 0.5, <1, 0, 0>, 0.2, <1, 2, 0>, 0.3" },
     { "sphere_sweep", "cubic_spline 5, <-1, 0, 0>, 0.5, <0, 0, 0>, 0.3, <1, 1, 0>, 0.2, <2, 0, 1>, 0.3, <3, 0, 0>, 0.3" },
     { "sphere_sweep", "b_spline 4, <1e6, 0, 0>, 5e-3, <1000000.01, 0, 0>, 3e-3, <1e6, 0.01, 0>, 2e-3, <1e6, 0, 0.01>, 3e-3 tolerance 1" },
